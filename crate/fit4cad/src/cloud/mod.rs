@@ -1,0 +1,45 @@
+//! Points, their extent, and what is near what.
+
+mod bounds;
+
+pub use bounds::Bounds;
+
+/// A point in the units of the file it came from.
+pub type Point = nalgebra::Point3<f64>;
+/// A direction or displacement in the units of the file it came from.
+pub type Vector = nalgebra::Vector3<f64>;
+/// A vector of length one.
+pub type Direction = nalgebra::Unit<Vector>;
+
+/// The points of one model, in the order of its file; a point's index is its identity.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Cloud {
+    points: Vec<Point>,
+}
+
+impl Cloud {
+    /// A cloud of the given points, kept in their order.
+    pub fn new(points: Vec<Point>) -> Self {
+        Self { points }
+    }
+
+    /// The points, index 0 being the file's point 1.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether there is no point at all.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// The axis-aligned box of all points; empty for an empty cloud. O(n).
+    pub fn bounds(&self) -> Bounds {
+        Bounds::of(self.points.iter())
+    }
+}

@@ -1,0 +1,1 @@
+//! The four text files of a model: reading, writing and grouping them.

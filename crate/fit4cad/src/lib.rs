@@ -1,0 +1,18 @@
+//! The Fit4CAD engine: reading, fitting and scoring simple primitives in point clouds of CAD objects.
+//!
+//! Fit4CAD (Romanengo, Raffo, Qie, Anwer and Falcidieno, 2021) is a benchmark for methods that
+//! segment a point cloud into planes, cylinders, cones, spheres and tori. This crate holds all of
+//! the playground that is not presentation. It is pure: it knows nothing of JavaScript, threads,
+//! files on disk or the clock, so the same code runs natively, in a browser and under Node.
+//!
+//! Data flows one way: text files → [`format`] → [`model::Model`] → [`fit`] (makes a
+//! [`model::Submission`]) → [`metrics`] (makes a report). [`sample`] makes models with known truth.
+
+pub mod cloud;
+pub mod diagnostics;
+pub mod fit;
+pub mod format;
+pub mod metrics;
+pub mod model;
+pub mod sample;
+pub mod surface;

@@ -1,0 +1,1 @@
+//! CAD-like parts with known truth, made by a deterministic generator.

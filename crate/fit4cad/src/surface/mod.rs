@@ -1,0 +1,186 @@
+//! The five families of surfaces: canonical form, exact distance, foot point, normal.
+//!
+//! Each family has one canonical form (unit axis, centre, radii, half-angle) and one file. An
+//! axis has no direction of its own, so its sign is chosen: the first component that is not
+//! negligible is positive. A point along an axis is chosen as the one nearest the origin.
+
+mod cone;
+mod cylinder;
+mod plane;
+mod sphere;
+mod torus;
+
+use std::fmt;
+
+pub use cone::Cone;
+pub use cylinder::Cylinder;
+pub use plane::Plane;
+pub use sphere::Sphere;
+pub use torus::Torus;
+
+use crate::cloud::{Direction, Point, Vector};
+
+/// The family a surface belongs to, simplest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SurfaceType {
+    /// A plane.
+    Plane,
+    /// A circular cylinder, without end.
+    Cylinder,
+    /// A circular cone, both nappes.
+    Cone,
+    /// A sphere.
+    Sphere,
+    /// A torus.
+    Torus,
+}
+
+impl SurfaceType {
+    /// All five, simplest first.
+    pub const ALL: [Self; 5] = [
+        Self::Plane,
+        Self::Cylinder,
+        Self::Cone,
+        Self::Sphere,
+        Self::Torus,
+    ];
+
+    /// The name used in the files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Plane => "Plane",
+            Self::Cylinder => "Cylinder",
+            Self::Cone => "Cone",
+            Self::Sphere => "Sphere",
+            Self::Torus => "Torus",
+        }
+    }
+
+    /// The type of that name, as the files spell it.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// How many numbers its parametric vector has (paper, appendix "Parametric representations").
+    pub const fn parametric_len(self) -> usize {
+        match self {
+            Self::Plane => 9,
+            Self::Cylinder | Self::Sphere => 12,
+            Self::Cone | Self::Torus => 18,
+        }
+    }
+
+    /// How many numbers its implicit vector has (paper, appendix "Implicit representations").
+    pub const fn implicit_len(self) -> usize {
+        match self {
+            Self::Plane => 4,
+            Self::Cylinder | Self::Cone | Self::Sphere => 10,
+            Self::Torus => 35,
+        }
+    }
+}
+
+impl fmt::Display for SurfaceType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A surface of one of the five families: the paper's 𝒮. It is always the whole surface (an
+/// endless cylinder, a double cone), never the patch that the points cover.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surface {
+    /// A plane.
+    Plane(Plane),
+    /// A circular cylinder.
+    Cylinder(Cylinder),
+    /// A circular cone.
+    Cone(Cone),
+    /// A sphere.
+    Sphere(Sphere),
+    /// A torus.
+    Torus(Torus),
+}
+
+/// Calls the same method of whichever family it is.
+macro_rules! each_family {
+    ($surface:expr, $shape:ident => $call:expr) => {
+        match $surface {
+            Surface::Plane($shape) => $call,
+            Surface::Cylinder($shape) => $call,
+            Surface::Cone($shape) => $call,
+            Surface::Sphere($shape) => $call,
+            Surface::Torus($shape) => $call,
+        }
+    };
+}
+
+impl Surface {
+    /// The family.
+    pub fn kind(&self) -> SurfaceType {
+        match self {
+            Self::Plane(_) => SurfaceType::Plane,
+            Self::Cylinder(_) => SurfaceType::Cylinder,
+            Self::Cone(_) => SurfaceType::Cone,
+            Self::Sphere(_) => SurfaceType::Sphere,
+            Self::Torus(_) => SurfaceType::Torus,
+        }
+    }
+
+    /// Euclidean distance d(x, 𝒮) of a point to the nearest point of the surface. Closed form, O(1).
+    pub fn distance(&self, point: &Point) -> f64 {
+        self.signed_distance(point).abs()
+    }
+
+    /// Distance, negative on the inner side (towards the axis or centre; for a plane, against its
+    /// normal).
+    pub fn signed_distance(&self, point: &Point) -> f64 {
+        each_family!(self, shape => shape.signed_distance(point))
+    }
+
+    /// The nearest point of the surface; one of them where there are several (on an axis).
+    pub fn foot(&self, point: &Point) -> Point {
+        point - self.normal(point).into_inner() * self.signed_distance(point)
+    }
+
+    /// Unit normal at the foot of the point, pointing to the outer side.
+    pub fn normal(&self, point: &Point) -> Direction {
+        each_family!(self, shape => shape.normal(point))
+    }
+}
+
+/// The axis with its canonical sign: the first component that is not negligible is positive.
+fn canonical_axis(axis: Vector) -> Direction {
+    const NEGLIGIBLE: f64 = 1e-9;
+    let axis = Direction::try_new(axis, 0.0).unwrap_or_else(Vector::z_axis);
+    match axis.iter().find(|component| component.abs() > NEGLIGIBLE) {
+        Some(&component) if component < 0.0 => -axis,
+        _ => axis,
+    }
+}
+
+/// The point of the line nearest the origin.
+fn nearest_to_origin(point: Point, axis: &Direction) -> Point {
+    point - axis.into_inner() * point.coords.dot(axis)
+}
+
+/// Any unit vector across the given one.
+pub(crate) fn across(axis: &Direction) -> Direction {
+    let helper = if axis.x.abs() < 0.6 {
+        Vector::x()
+    } else {
+        Vector::y()
+    };
+    Direction::new_normalize(axis.cross(&helper))
+}
+
+/// Position of a point relative to an axis: height along it, distance from it and the outward
+/// unit direction across it (any, for a point on the axis).
+fn axial(point: &Point, origin: &Point, axis: &Direction) -> (f64, f64, Direction) {
+    let offset = point - origin;
+    let height = offset.dot(axis);
+    let radial = offset - axis.into_inner() * height;
+    let radius = radial.norm();
+    let outward = Direction::try_new(radial, f64::MIN_POSITIVE).unwrap_or_else(|| across(axis));
+    (height, radius, outward)
+}

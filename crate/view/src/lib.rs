@@ -1,0 +1,1 @@
+//! WebGL2 renderer for segmented point clouds, loaded by the page.
