@@ -1,1 +1,3 @@
 //! Methods that make a submission from a bare cloud.
+
+pub mod hough;
