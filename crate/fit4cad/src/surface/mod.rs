@@ -5,16 +5,24 @@
 //! negligible is positive. A point along an axis is chosen as the one nearest the origin.
 
 mod cone;
+mod conversion;
 mod cylinder;
+mod implicit;
+mod motion;
+mod parametric;
 mod plane;
+pub mod polynomial;
 mod sphere;
 mod torus;
 
 use std::fmt;
 
 pub use cone::Cone;
+pub use conversion::{Conversion, ConversionError, Defect};
 pub use cylinder::Cylinder;
+pub use parametric::parametric_point;
 pub use plane::Plane;
+pub use polynomial::Polynomial;
 pub use sphere::Sphere;
 pub use torus::Torus;
 
@@ -141,6 +149,28 @@ impl Surface {
     /// The nearest point of the surface; one of them where there are several (on an axis).
     pub fn foot(&self, point: &Point) -> Point {
         point - self.normal(point).into_inner() * self.signed_distance(point)
+    }
+
+    /// Whether every parameter is a finite number.
+    pub fn is_finite(&self) -> bool {
+        let finite = |point: &Point, axis: &Direction, rest: [f64; 2]| {
+            point
+                .iter()
+                .chain(axis.iter())
+                .chain(&rest)
+                .all(|value| value.is_finite())
+        };
+        let z = Vector::z_axis();
+        match self {
+            Self::Plane(shape) => finite(&Point::origin(), &shape.normal, [shape.offset, 0.0]),
+            Self::Cylinder(shape) => finite(&shape.centre, &shape.axis, [shape.radius, 0.0]),
+            Self::Cone(shape) => finite(&shape.apex, &shape.axis, [shape.half_angle, 0.0]),
+            Self::Sphere(shape) => finite(&shape.centre, &z, [shape.radius, 0.0]),
+            Self::Torus(shape) => {
+                let radii = [shape.major_radius, shape.minor_radius];
+                finite(&shape.centre, &shape.axis, radii)
+            }
+        }
     }
 
     /// Unit normal at the foot of the point, pointing to the outer side.
