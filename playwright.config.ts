@@ -1,0 +1,28 @@
+import { defineConfig } from "@playwright/test";
+import { BROWSER_FLAGS, findBrowser } from "./scripts/lib/browser.mjs";
+
+// Playwright reads this file again in each of its workers, which inherit the chosen port.
+process.env.FIT4CAD_PORT ??= String(20_000 + (process.pid % 20_000));
+const port = Number(process.env.FIT4CAD_PORT);
+
+export default defineConfig({
+  testDir: "tests/browser",
+  outputDir: "tests/results",
+  fullyParallel: true,
+  // The tests share the processor with a software renderer.
+  workers: 1,
+  timeout: 60_000,
+  forbidOnly: process.env.CI !== undefined,
+  use: {
+    baseURL: `http://127.0.0.1:${port}/`,
+    screenshot: "only-on-failure",
+    launchOptions: {
+      executablePath: findBrowser(),
+      args: BROWSER_FLAGS,
+    },
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --host 127.0.0.1 --port ${port} --strictPort`,
+    port,
+  },
+});

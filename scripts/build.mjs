@@ -1,0 +1,95 @@
+// Builds the two wasm modules and, from them, the static page in www/dist.
+
+import { createHash } from "node:crypto";
+import { cpSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { ROOT, WASM_TARGET, npmCommand, tool } from "./lib/paths.mjs";
+import { ask, isMain, main, run, runNode, say } from "./lib/run.mjs";
+import { setup } from "./setup.mjs";
+
+/** What rustc may emit for wasm32-unknown-unknown with SIMD on; wasm-opt keeps to these. */
+const FEATURES = [
+  "bulk-memory",
+  "bulk-memory-opt",
+  "call-indirect-overlong",
+  "multivalue",
+  "mutable-globals",
+  "nontrapping-float-to-int",
+  "reference-types",
+  "sign-ext",
+  "simd",
+];
+const OPTIMISE = ["-O3", ...FEATURES.map((feature) => `--enable-${feature}`)];
+
+/** Crate, name of the generated module, and the folders that get it. */
+const MODULES = [
+  { crate: "fit4cad-engine", name: "engine", folders: ["www/generated/engine", "bin/engine"] },
+  { crate: "fit4cad-view", name: "view", folders: ["www/generated/view"] },
+];
+
+/** Builds both wasm modules; does nothing where neither sources nor tools have changed. */
+export async function buildWasm() {
+  await run("cargo", [
+    ...["build", "--release", "--locked", "--quiet", "--target", WASM_TARGET],
+    ...MODULES.flatMap(({ crate }) => ["--package", crate]),
+  ]);
+  for (const module of MODULES) {
+    await generate(module);
+  }
+}
+
+/** Builds what a static host serves: www/dist. */
+export async function buildPage() {
+  await buildWasm();
+  say("building the page into www/dist");
+  await runNode(npmCommand("vite/bin/vite.js"), ["build", "--logLevel", "warn"]);
+}
+
+async function generate({ crate, name, folders }) {
+  const compiled = join(ROOT, "target", WASM_TARGET, "release", `${crate.replaceAll("-", "_")}.wasm`);
+  const stamp = stampOf(compiled);
+  if (folders.every((folder) => readStamp(folder) === stamp)) {
+    return;
+  }
+  say(`binding and optimising ${name}`);
+  const made = join(ROOT, "target/generated", name);
+  rmSync(made, { recursive: true, force: true });
+  await run(tool("wasm-bindgen"), [
+    ...["--target", "web", "--out-name", name, "--out-dir", made, "--remove-producers-section"],
+    compiled,
+  ]);
+  const wasm = join(made, `${name}_bg.wasm`);
+  await runNode(npmCommand("binaryen/bin/wasm-opt"), [...OPTIMISE, wasm, "-o", `${wasm}.small`]);
+  renameSync(`${wasm}.small`, wasm);
+  writeFileSync(join(made, ".stamp"), stamp);
+  // The page and Node get the very same files; Node hands the bytes to the same glue.
+  for (const folder of folders) {
+    const target = join(ROOT, folder);
+    rmSync(target, { recursive: true, force: true });
+    mkdirSync(target, { recursive: true });
+    cpSync(made, target, { recursive: true });
+  }
+}
+
+/** Changes whenever the compiled module or a tool that works on it does. */
+function stampOf(compiled) {
+  const wasmOpt = readFileSync(npmCommand("binaryen/package.json"), "utf8");
+  return createHash("sha256")
+    .update(readFileSync(compiled))
+    .update(ask(tool("wasm-bindgen"), ["--version"]) ?? "")
+    .update(JSON.parse(wasmOpt).version)
+    .update(OPTIMISE.join(" "))
+    .digest("hex");
+}
+
+function readStamp(folder) {
+  const stamp = join(ROOT, folder, ".stamp");
+  return existsSync(stamp) ? readFileSync(stamp, "utf8") : undefined;
+}
+
+if (isMain(import.meta.url)) {
+  await main(async () => {
+    await setup();
+    await buildPage();
+  });
+}
