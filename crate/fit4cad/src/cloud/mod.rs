@@ -1,6 +1,8 @@
 //! Points, their extent, and what is near what.
 
 mod bounds;
+pub mod neighbours;
+pub mod normals;
 
 pub use bounds::Bounds;
 

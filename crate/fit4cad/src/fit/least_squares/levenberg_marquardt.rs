@@ -1,0 +1,93 @@
+//! Levenberg-Marquardt minimisation on a chart.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::Loss;
+use super::charts::Chart;
+use crate::cloud::Vector;
+use crate::surface::Surface;
+
+const ITERATIONS: usize = 60;
+/// Steps shorter than this, in units of the patch, change nothing.
+const SETTLED: f64 = 1e-14;
+
+/// The surface that minimises Σ loss(d) over points of unit size, and its root (weighted) mean
+/// squared distance. Each step solves (JᵀWJ + μ diag) δ = -JᵀWd; μ falls after a step that
+/// lowers the cost and rises after one that does not, which is then not taken.
+pub(super) fn minimise<const N: usize, C: Chart<N>>(
+    start: C,
+    points: &[Vector],
+    loss: Loss,
+) -> Option<(Surface, f64)> {
+    let mut chart = start;
+    let mut cost = total_cost(&chart, points, loss);
+    let mut damping = 1e-4;
+    for _ in 0..ITERATIONS {
+        let (normal, gradient) = normal_equations(&chart, points, loss);
+        let mut improvement = None;
+        // An exhausted damping means that no step helps: a minimum to machine precision.
+        while damping < 1e8 {
+            let mut damped = normal;
+            for i in 0..N {
+                // The floor keeps a direction the points say nothing about from running away.
+                damped[(i, i)] += damping * normal[(i, i)].max(1e-12 * normal.trace()) + 1e-300;
+            }
+            let step = -damped.cholesky()?.solve(&gradient);
+            let next = chart.moved(&step);
+            let next_cost = total_cost(&next, points, loss);
+            if next_cost <= cost {
+                improvement = Some((next, next_cost, step.norm()));
+                damping = (damping * 0.1).max(1e-12);
+                break;
+            }
+            if step.norm() < SETTLED {
+                break;
+            }
+            damping *= 10.0;
+        }
+        let Some((next, next_cost, length)) = improvement else {
+            break;
+        };
+        let gain = cost - next_cost;
+        chart = next;
+        cost = next_cost;
+        if length < SETTLED || gain <= 1e-9 * cost {
+            break;
+        }
+    }
+    let surface = chart.surface()?;
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for point in points {
+        let distance = chart.distance(point).0;
+        let weight = loss.weight(distance);
+        sum += weight * distance * distance;
+        weights += weight;
+    }
+    (weights > 0.0).then(|| (surface, (sum / weights).sqrt()))
+}
+
+fn total_cost<const N: usize>(chart: &impl Chart<N>, points: &[Vector], loss: Loss) -> f64 {
+    points
+        .iter()
+        .map(|point| loss.cost(chart.distance(point).0))
+        .sum()
+}
+
+/// JᵀWJ and JᵀWd.
+fn normal_equations<const N: usize>(
+    chart: &impl Chart<N>,
+    points: &[Vector],
+    loss: Loss,
+) -> (SMatrix<f64, N, N>, SVector<f64, N>) {
+    let mut normal = SMatrix::<f64, N, N>::zeros();
+    let mut gradient = SVector::<f64, N>::zeros();
+    for point in points {
+        let (distance, row) = chart.distance(point);
+        let weight = loss.weight(distance);
+        if weight > 0.0 {
+            normal.ger(weight, &row, &row, 1.0);
+            gradient.axpy(weight * distance, &row, 1.0);
+        }
+    }
+    (normal, gradient)
+}

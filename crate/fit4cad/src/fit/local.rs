@@ -1,0 +1,308 @@
+//! Surfaces through a small neighbourhood: the votes of the randomised Hough transform, and the
+//! minimal hypotheses of primitive growing.
+//!
+//! Some ten to thirty points determine a surface of any of the five families. Closed-form solutions
+//! start from two sides: algebraic fits (quadric, sphere), which see a thin cylinder whole, and the
+//! curvatures of a height function over the tangent plane, which see a patch of a large surface.
+//! [`polish`] turns a start into the least-squares surface of the points that agree with it.
+
+use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, SymmetricEigen};
+
+use super::least_squares::{self, Fitted, Loss, degrees_of_freedom};
+use crate::cloud::normals::Spread;
+use crate::cloud::{Bounds, Direction, Point, Vector};
+use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus};
+
+/// Local shape at the middle of a patch: what is left of the surface to second order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curvature {
+    /// Point of the surface at the middle of the patch.
+    pub point: Point,
+    /// Unit normal there.
+    pub normal: Direction,
+    /// Principal curvatures, the larger in absolute value first; positive where the surface bends
+    /// towards the normal.
+    pub values: [f64; 2],
+    /// Principal directions that belong to them.
+    pub directions: [Direction; 2],
+    /// Root mean square residual, corrected for the six coefficients.
+    pub error: f64,
+}
+
+impl Curvature {
+    /// Fits h = c₀ + c₁x + c₂y + c₃x² + c₄xy + c₅y² over the plane of the patch. `None` for fewer
+    /// than seven points, or points near a line.
+    pub fn of(patch: &[Point]) -> Option<Self> {
+        if patch.len() < 7 {
+            return None;
+        }
+        let spread = Spread::of(patch.iter())?;
+        let scale = spread.variances[2].sqrt();
+        let [normal, second, first] = spread.directions;
+        let mut matrix = SMatrix::<f64, 6, 6>::zeros();
+        let mut right = SVector::<f64, 6>::zeros();
+        let (mut heights, mut rows) = (Vec::new(), Vec::new());
+        for point in patch {
+            let offset = (point - spread.centroid) / scale;
+            let (x, y, h) = (offset.dot(&first), offset.dot(&second), offset.dot(&normal));
+            let row = SVector::from([1.0, x, y, x * x, x * y, y * y]);
+            matrix.ger(1.0, &row, &row, 1.0);
+            right.axpy(h, &row, 1.0);
+            heights.push(h);
+            rows.push(row);
+        }
+        let c = matrix.cholesky()?.solve(&right);
+        let squares: f64 = rows
+            .iter()
+            .zip(heights)
+            .map(|(row, h)| (row.dot(&c) - h).powi(2))
+            .sum();
+        let stretch = (1.0 + c[1] * c[1] + c[2] * c[2]).sqrt();
+        // Weingarten map: inverse of the first fundamental form times the second.
+        let metric = Matrix2::new(
+            1.0 + c[1] * c[1],
+            c[1] * c[2],
+            c[1] * c[2],
+            1.0 + c[2] * c[2],
+        );
+        let bending = Matrix2::new(2.0 * c[3], c[4], c[4], 2.0 * c[5]) / (stretch * scale);
+        // In an orthonormal basis of the tangent plane the map is symmetric.
+        let factor = metric.cholesky()?.l();
+        let inverse = factor.try_inverse()?;
+        let eigen = SymmetricEigen::new(inverse * bending * inverse.transpose());
+        let (first, second, up) = (first.into_inner(), second.into_inner(), normal.into_inner());
+        let tangents = [first + up * c[1], second + up * c[2]];
+        let direction = |i: usize| {
+            let v = inverse.transpose() * eigen.eigenvectors.column(i);
+            Direction::try_new(tangents[0] * v[0] + tangents[1] * v[1], f64::MIN_POSITIVE)
+        };
+        let values = eigen.eigenvalues;
+        let (big, small) = if values[0].abs() >= values[1].abs() {
+            (0, 1)
+        } else {
+            (1, 0)
+        };
+        Some(Self {
+            point: spread.centroid + up * (c[0] * scale),
+            normal: Direction::try_new(up - first * c[1] - second * c[2], f64::MIN_POSITIVE)?,
+            values: [values[big], values[small]],
+            directions: [direction(big)?, direction(small)?],
+            error: (squares / (patch.len() - 6) as f64).sqrt() * scale / stretch,
+        })
+    }
+}
+
+/// Starts for the surfaces of the given family through a patch; most are wrong, which costs
+/// nothing but the time to see it.
+pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
+    let mut surfaces = Vec::new();
+    match kind {
+        SurfaceType::Plane => {
+            surfaces.extend(Spread::of(patch.iter()).map(|spread| {
+                Surface::Plane(Plane::new(spread.centroid, spread.normal().into_inner()))
+            }));
+        }
+        SurfaceType::Sphere => surfaces.extend(algebraic_sphere(patch).map(Surface::Sphere)),
+        SurfaceType::Cylinder | SurfaceType::Cone => {
+            surfaces.extend(algebraic_quadric(kind, patch));
+            if kind == SurfaceType::Cylinder {
+                surfaces.extend(Curvature::of(patch).and_then(|c| curved_cylinder(&c)));
+            }
+        }
+        SurfaceType::Torus => {
+            if let Some(curvature) = Curvature::of(patch) {
+                tori(&curvature, &mut surfaces);
+            }
+        }
+    }
+    surfaces
+}
+
+/// The sphere |x|² = 2 c·x + (r² - |c|²), linear in its unknowns.
+fn algebraic_sphere(patch: &[Point]) -> Option<Sphere> {
+    let origin = Spread::of(patch.iter())?.centroid;
+    let scale = Bounds::of(patch).diagonal();
+    let mut matrix = SMatrix::<f64, 4, 4>::zeros();
+    let mut right = SVector::<f64, 4>::zeros();
+    for point in patch {
+        let offset = (point - origin) / scale;
+        let row = SVector::from([2.0 * offset.x, 2.0 * offset.y, 2.0 * offset.z, 1.0]);
+        matrix.ger(1.0, &row, &row, 1.0);
+        right.axpy(offset.norm_squared(), &row, 1.0);
+    }
+    let solution = matrix.cholesky()?.solve(&right);
+    let centre = Vector::new(solution[0], solution[1], solution[2]);
+    let radius = (solution[3] + centre.norm_squared()).sqrt();
+    radius
+        .is_finite()
+        .then(|| Sphere::new(origin + centre * scale, radius * scale))
+}
+
+/// The quadric xᵀAx + 2b·x + c = 0 of least algebraic error with |(A, b, c)| = 1, read as a
+/// surface of revolution: the axis belongs to the eigenvalue of A that differs from two others.
+fn algebraic_quadric(kind: SurfaceType, patch: &[Point]) -> Option<Surface> {
+    if patch.len() < 9 {
+        return None;
+    }
+    let origin = Spread::of(patch.iter())?.centroid;
+    let scale = 0.5 * Bounds::of(patch).diagonal();
+    let mut matrix = SMatrix::<f64, 10, 10>::zeros();
+    for point in patch {
+        let p = (point - origin) / scale;
+        let row = SVector::<f64, 10>::from([
+            p.x * p.x,
+            p.y * p.y,
+            p.z * p.z,
+            2.0 * p.x * p.y,
+            2.0 * p.x * p.z,
+            2.0 * p.y * p.z,
+            2.0 * p.x,
+            2.0 * p.y,
+            2.0 * p.z,
+            1.0,
+        ]);
+        matrix.ger(1.0, &row, &row, 1.0);
+    }
+    let eigen = SymmetricEigen::new(matrix);
+    let q = eigen
+        .eigenvectors
+        .column(eigen.eigenvalues.imin())
+        .into_owned();
+    let a = Matrix3::new(q[0], q[3], q[4], q[3], q[1], q[5], q[4], q[5], q[2]);
+    let b = Vector::new(q[6], q[7], q[8]);
+    let eigen = SymmetricEigen::new(a);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+    let [low, middle, high] = order.map(|i| eigen.eigenvalues[i]);
+    let (odd, pair) = if middle - low > high - middle {
+        (order[0], 0.5 * (middle + high))
+    } else {
+        (order[2], 0.5 * (low + middle))
+    };
+    let axis = eigen.eigenvectors.column(odd).into_owned();
+    let along = eigen.eigenvalues[odd];
+    let across = -(b - axis * b.dot(&axis)) / pair;
+    match kind {
+        SurfaceType::Cylinder => {
+            let radius = (across.norm_squared() - q[9] / pair).sqrt();
+            radius.is_finite().then(|| {
+                Surface::Cylinder(Cylinder::new(origin + across * scale, axis, radius * scale))
+            })
+        }
+        _ => {
+            let apex = across - axis * (b.dot(&axis) / along);
+            let half_angle = (-along / pair).sqrt().atan();
+            let finite = half_angle.is_finite() && apex.iter().all(|x| x.is_finite());
+            finite.then(|| Surface::Cone(Cone::new(origin + apex * scale, axis, half_angle)))
+        }
+    }
+}
+
+/// The cylinder that bends as the patch does: its axis runs along the direction of least curvature.
+fn curved_cylinder(curvature: &Curvature) -> Option<Surface> {
+    let bend = curvature.values[0];
+    (bend.abs() > f64::MIN_POSITIVE).then(|| {
+        let centre = curvature.point + curvature.normal.into_inner() / bend;
+        Surface::Cylinder(Cylinder::new(
+            centre,
+            curvature.directions[1].into_inner(),
+            1.0 / bend.abs(),
+        ))
+    })
+}
+
+/// Tori that bend as the patch does. One principal direction runs around the tube, the other
+/// around the axis; the axis meets the normal at the centre of curvature of the latter (Meusnier)
+/// and lies in the plane of the normal and the former. Its slope in that plane is a matter of third
+/// derivatives: several are tried.
+fn tori(curvature: &Curvature, surfaces: &mut Vec<Surface>) {
+    const SLOPES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+    let normal = curvature.normal.into_inner();
+    for (tube, other) in [(0, 1), (1, 0)] {
+        let (bend, turn) = (curvature.values[tube], curvature.values[other]);
+        if bend.abs() <= f64::MIN_POSITIVE {
+            continue;
+        }
+        let centre = curvature.point + normal / bend;
+        let minor = 1.0 / bend.abs();
+        let meridian = curvature.directions[tube].into_inner();
+        for slope in SLOPES {
+            let (sin, cos) = (slope * std::f64::consts::PI).sin_cos();
+            let axis = meridian * cos + normal * sin;
+            if turn.abs() > 1e-3 * bend.abs() {
+                let meeting = curvature.point + normal / turn;
+                let foot = meeting + axis * (centre - meeting).dot(&axis);
+                let major = (centre - foot).norm();
+                surfaces.push(Surface::Torus(Torus::new(foot, axis, major, minor)));
+            }
+        }
+        // At the top of the tube the normal is parallel to the axis, which is then anywhere.
+        for major in [1.5, 3.0, 8.0] {
+            for side in [-1.0, 1.0] {
+                let foot = centre + meridian * (side * major * minor);
+                surfaces.push(Surface::Torus(Torus::new(
+                    foot,
+                    normal,
+                    major * minor,
+                    minor,
+                )));
+            }
+        }
+    }
+}
+
+/// The least-squares surface of those points of a patch that agree with a start to `tolerance`,
+/// and which they are. `None` where fewer than `needed` do.
+pub fn polish(
+    start: &Surface,
+    patch: &[Point],
+    tolerance: f64,
+    needed: usize,
+) -> Option<(Surface, Vec<usize>)> {
+    let mut surface = least_squares::fit(start, patch, Loss::Squares)?.surface;
+    let mut distances = Vec::with_capacity(patch.len());
+    let inliers = |surface: &Surface| -> Vec<usize> {
+        (0..patch.len())
+            .filter(|&i| surface.distance(&patch[i]) <= tolerance)
+            .collect()
+    };
+    let mut agreeing = inliers(&surface);
+    if agreeing.len() < patch.len() {
+        // Others than the best of the patch are given less and less say.
+        for _ in 0..ROBUST_ROUNDS {
+            distances.clear();
+            distances.extend(patch.iter().map(|point| surface.distance(point)));
+            let cut_off = (3.0 * super::scale::quantile(&mut distances, 0.5)).max(2.0 * tolerance);
+            surface = least_squares::fit(&surface, patch, Loss::Biweight(cut_off))?.surface;
+            if cut_off <= 2.0 * tolerance {
+                break;
+            }
+        }
+        agreeing = inliers(&surface);
+    }
+    let needed = needed.max(degrees_of_freedom(surface.kind()) + 1);
+    (agreeing.len() >= needed).then_some((surface, agreeing))
+}
+
+const ROBUST_ROUNDS: usize = 4;
+
+/// How well the best simple surface passes through a patch: its residual standard deviation.
+/// Simple means plane, sphere or cylinder: enough for the noise of a cloud that has any of them.
+pub fn residual(patch: &[Point]) -> Option<f64> {
+    let kinds = [
+        SurfaceType::Plane,
+        SurfaceType::Sphere,
+        SurfaceType::Cylinder,
+    ];
+    kinds
+        .into_iter()
+        .flat_map(|kind| starts(kind, patch))
+        .filter_map(|start| {
+            let Fitted { surface, error } = least_squares::fit(&start, patch, Loss::Squares)?;
+            let spare = patch
+                .len()
+                .checked_sub(degrees_of_freedom(surface.kind()))?;
+            (spare > 0).then(|| error * (patch.len() as f64 / spare as f64).sqrt())
+        })
+        .min_by(f64::total_cmp)
+}

@@ -1,0 +1,299 @@
+//! The state of a search for surfaces: the cloud with its neighbours and scale, what has been
+//! accepted and what that explains, and the three steps every method takes (grow, compare, accept).
+
+use super::least_squares::{self, Loss, degrees_of_freedom};
+use super::{Candidate, Parameters, Scale};
+use crate::cloud::neighbours::{KdTree, Neighbour, Neighbourhoods};
+use crate::cloud::{Cloud, Point};
+use crate::surface::{Surface, SurfaceType};
+
+/// Points a surface is refitted to while it grows; more would not make it more exact.
+const FIT_SAMPLE: usize = 800;
+
+/// A cloud being searched for surfaces.
+pub struct Search<'a> {
+    /// The cloud.
+    pub cloud: &'a Cloud,
+    /// Tree over its points.
+    pub tree: KdTree,
+    /// Nearest neighbours of each point.
+    pub graph: Neighbourhoods,
+    /// Its scale.
+    pub scale: Scale,
+    /// What the user asked for.
+    pub parameters: Parameters,
+    /// The only source of chance: the same seed makes the same choices.
+    pub random: fastrand::Rng,
+    accepted: Vec<Candidate>,
+    /// How many accepted surfaces hold each point.
+    claims: Vec<u32>,
+    marks: Marks,
+}
+
+/// A set of points that is emptied in O(1).
+#[derive(Debug, Default)]
+struct Marks {
+    stamps: Vec<u32>,
+    current: u32,
+}
+
+impl Marks {
+    fn clear(&mut self) {
+        if self.current == u32::MAX {
+            self.stamps.fill(0);
+            self.current = 0;
+        }
+        self.current += 1;
+    }
+
+    /// Whether the point was not yet in the set.
+    fn insert(&mut self, index: u32) -> bool {
+        let stamp = &mut self.stamps[index as usize];
+        let new = *stamp != self.current;
+        *stamp = self.current;
+        new
+    }
+}
+
+impl<'a> Search<'a> {
+    /// Prepares a cloud. O(n log n) time, about 130 bytes a point.
+    pub fn new(cloud: &'a Cloud, parameters: &Parameters, seed: u64) -> Self {
+        let tree = KdTree::new(cloud.points());
+        let count = Parameters::count(parameters.neighbours);
+        let graph = Neighbourhoods::new(cloud.points(), &tree, count);
+        let scale = Scale::measure(cloud, &graph, parameters.tolerance);
+        Self {
+            tree,
+            graph,
+            scale,
+            parameters: *parameters,
+            random: fastrand::Rng::with_seed(seed),
+            accepted: Vec::new(),
+            claims: vec![0; cloud.len()],
+            marks: Marks {
+                stamps: vec![0; cloud.len()],
+                current: 0,
+            },
+            cloud,
+        }
+    }
+
+    /// A point by its index.
+    pub fn point(&self, index: u32) -> &Point {
+        &self.cloud.points()[index as usize]
+    }
+
+    /// The points of the given indices.
+    pub fn points(&self, indices: &[u32]) -> Vec<Point> {
+        indices.iter().map(|&index| *self.point(index)).collect()
+    }
+
+    /// The candidates accepted so far, in order.
+    pub fn accepted(&self) -> &[Candidate] {
+        &self.accepted
+    }
+
+    /// Whether an accepted surface holds the point.
+    pub fn is_explained(&self, index: u32) -> bool {
+        self.claims[index as usize] > 0
+    }
+
+    /// The up to `count` unexplained points nearest to a point, itself first if unexplained.
+    pub fn unexplained_near(&self, index: u32, count: usize) -> Vec<u32> {
+        let mut found: Vec<Neighbour> = Vec::with_capacity(count + 1);
+        let radius = self.scale.spacing * 1.6 * (count as f64).sqrt();
+        let free = |i: u32| !self.is_explained(i);
+        self.tree
+            .nearest(self.point(index), count, radius, free, &mut found);
+        found.into_iter().map(|neighbour| neighbour.index).collect()
+    }
+
+    /// Polishes a surface and grows its patch from some points on it: alternately fits the surface
+    /// to the patch and adds the graph neighbours that lie on it, at most quadrupling the patch at a
+    /// time, since the surface is known only as far as the points it was fitted to reach.
+    ///
+    /// `None` where fewer points hold on to it than degrees of freedom plus one, or the surface
+    /// degenerates (see [`Search::is_plausible`]). O(points of the patch).
+    pub fn grow(&mut self, start: &Surface, seeds: &[u32]) -> Option<Candidate> {
+        let needed = degrees_of_freedom(start.kind()) + 1;
+        let mut surface = *start;
+        let mut support = self.flood(&surface, seeds, 4 * seeds.len().max(needed));
+        for _ in 0..GROWTH_ROUNDS {
+            if support.len() < needed {
+                return None;
+            }
+            let fitted = least_squares::fit(&surface, &self.sample(&support), Loss::Squares)?;
+            if !self.is_plausible(&fitted.surface) {
+                return None;
+            }
+            surface = fitted.surface;
+            let limit = 4 * support.len();
+            let next = self.flood(&surface, &support, limit);
+            let settled = next.len() <= support.len() + support.len() / 200;
+            support = next;
+            if settled {
+                break;
+            }
+        }
+        if support.len() < needed {
+            return None;
+        }
+        support.sort_unstable();
+        let error = self.error(&surface, &support);
+        Some(Candidate {
+            surface,
+            support,
+            error,
+        })
+    }
+
+    /// Root mean square distance of points to a surface.
+    fn error(&self, surface: &Surface, support: &[u32]) -> f64 {
+        let squares: f64 = support
+            .iter()
+            .map(|&i| surface.distance(self.point(i)).powi(2))
+            .sum();
+        (squares / support.len().max(1) as f64).sqrt()
+    }
+
+    /// An even sample of the points of a patch.
+    fn sample(&self, support: &[u32]) -> Vec<Point> {
+        let stride = support.len().div_ceil(FIT_SAMPLE).max(1);
+        support
+            .iter()
+            .step_by(stride)
+            .map(|&i| *self.point(i))
+            .collect()
+    }
+
+    /// The points on a surface reached from the seeds along the graph, up to a limit.
+    fn flood(&mut self, surface: &Surface, seeds: &[u32], limit: usize) -> Vec<u32> {
+        let tolerance = self.scale.tolerance;
+        let points = self.cloud.points();
+        self.marks.clear();
+        let mut reached: Vec<u32> = Vec::with_capacity(limit.min(points.len()));
+        for &seed in seeds {
+            if self.marks.insert(seed) && surface.distance(&points[seed as usize]) <= tolerance {
+                reached.push(seed);
+            }
+        }
+        let mut next = 0;
+        while next < reached.len() && reached.len() < limit {
+            for &neighbour in self.graph.of(reached[next]) {
+                if self.marks.insert(neighbour)
+                    && surface.distance(&points[neighbour as usize]) <= tolerance
+                {
+                    reached.push(neighbour);
+                }
+            }
+            next += 1;
+        }
+        reached
+    }
+
+    /// Whether a surface is one that CAD would call by its name: not a cylinder so large that it is
+    /// a plane, not a torus that meets itself.
+    pub fn is_plausible(&self, surface: &Surface) -> bool {
+        let largest = 20.0 * self.scale.diagonal;
+        let smallest = 4.0 * self.scale.tolerance;
+        match surface {
+            Surface::Plane(_) => true,
+            Surface::Cylinder(s) => (smallest..largest).contains(&s.radius),
+            Surface::Cone(s) => (0.005..1.566).contains(&s.half_angle),
+            Surface::Sphere(s) => (smallest..largest).contains(&s.radius),
+            Surface::Torus(s) => {
+                (smallest..largest).contains(&s.minor_radius)
+                    && s.major_radius < largest
+                    && s.major_radius > 1.001 * s.minor_radius
+            }
+        }
+    }
+
+    /// How many points of a candidate no accepted surface holds.
+    pub fn own(&self, candidate: &Candidate) -> usize {
+        candidate
+            .support
+            .iter()
+            .filter(|&&i| !self.is_explained(i))
+            .count()
+    }
+
+    /// What a candidate is worth: its points, those that nothing else explains counting three times.
+    fn worth(&self, candidate: &Candidate) -> f64 {
+        (candidate.support.len() + 2 * self.own(candidate)) as f64
+    }
+
+    /// The best of several candidates for the same place: the one worth most; of those that are
+    /// worth nearly as much, the simplest, unless its mean fitting error is clearly larger.
+    pub fn best(&self, candidates: Vec<Candidate>) -> Option<Candidate> {
+        let rated: Vec<(f64, Candidate)> = candidates
+            .into_iter()
+            .map(|c| (self.worth(&c), c))
+            .collect();
+        let most = rated.iter().map(|(worth, _)| *worth).fold(0.0, f64::max);
+        let least_error = rated
+            .iter()
+            .filter(|(worth, _)| *worth >= NEARLY * most)
+            .map(|(_, c)| c.error)
+            .fold(f64::INFINITY, f64::min);
+        let floor = 0.3 * self.scale.tolerance;
+        rated
+            .into_iter()
+            .filter(|(worth, c)| *worth >= NEARLY * most && c.error <= 2.0 * least_error + floor)
+            .min_by(|(worth, a), (other, b)| {
+                complexity(a.surface.kind())
+                    .cmp(&complexity(b.surface.kind()))
+                    .then(other.total_cmp(worth))
+            })
+            .map(|(_, candidate)| candidate)
+    }
+
+    /// The fuzzy-border test: whether the points just outside a patch nearly lie on its surface,
+    /// as they do around an accidental fit, which fades out, and not around a true face, which
+    /// ends sharply even where it runs on tangentially into a fillet.
+    pub fn has_fuzzy_border(&mut self, candidate: &Candidate) -> bool {
+        const NEAR: f64 = 12.0;
+        if !self.scale.is_clean() {
+            return false;
+        }
+        let limit = NEAR * self.scale.tolerance;
+        self.marks.clear();
+        for &index in &candidate.support {
+            self.marks.insert(index);
+        }
+        let (mut outside, mut near) = (0u32, 0u32);
+        for &index in &candidate.support {
+            for &neighbour in self.graph.of(index).iter().take(8) {
+                if self.marks.insert(neighbour) {
+                    outside += 1;
+                    if candidate.surface.distance(self.point(neighbour)) <= limit {
+                        near += 1;
+                    }
+                }
+            }
+        }
+        f64::from(near) > self.parameters.fuzzy_border * f64::from(outside)
+    }
+
+    /// Keeps a candidate; its points are explained from now on.
+    pub fn accept(&mut self, candidate: Candidate) {
+        for &index in &candidate.support {
+            self.claims[index as usize] += 1;
+        }
+        self.accepted.push(candidate);
+    }
+
+    /// Ends the search with what was accepted.
+    pub fn into_accepted(self) -> Vec<Candidate> {
+        self.accepted
+    }
+}
+
+const GROWTH_ROUNDS: usize = 24;
+/// Share of the most worth that counts as nearly as much.
+const NEARLY: f64 = 0.97;
+
+/// Order of simplicity: fewer degrees of freedom first.
+fn complexity(kind: SurfaceType) -> usize {
+    degrees_of_freedom(kind)
+}
