@@ -3,6 +3,9 @@
 
 pub mod accumulator;
 pub mod directions;
+pub mod family;
+pub mod gamma;
 pub mod grid;
 pub mod persistence;
 pub mod space;
+pub mod vote;
