@@ -1,1 +1,18 @@
 //! The four text files of a model: reading, writing and grouping them.
+
+mod assemble;
+mod cloud;
+mod entry;
+mod findings;
+pub mod limits;
+mod number;
+mod primitives;
+mod read;
+mod scan;
+mod surfaces;
+
+pub use assemble::{Named, assemble};
+pub use cloud::{CloudText, Numbering, PointNumber, read_cloud};
+pub use primitives::{PointList, read_primitives};
+pub use read::{Role, SourceFile, read_model};
+pub use surfaces::{Form, SurfaceEntry, SurfaceFile, read_surfaces};

@@ -1,0 +1,466 @@
+//! Reading `PCi.txt`: `Points:=[`, one `[x, y, z], ` per line, ` ];`.
+
+use super::findings::{Findings, Kind, is_blank, open};
+use super::limits::MAX_POINTS;
+use super::number;
+use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
+use crate::cloud::{Cloud, Point};
+use crate::diagnostics::{Diagnostic, Severity};
+
+/// A cloud as read, and what its file's point numbers mean.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CloudText {
+    /// The points that could be read.
+    pub cloud: Cloud,
+    /// From point numbers, as the primitives file uses them, to indices into the cloud.
+    pub numbering: Numbering,
+}
+
+/// From the point numbers of a file (1-based rows of `PCi.txt`) to indices into its [`Cloud`].
+///
+/// A row that cannot be read keeps its number and has no index, so that one broken row does not
+/// shift every point after it.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Numbering {
+    rows: usize,
+    /// Rows without a point, counted from 0, ascending.
+    broken: Vec<u32>,
+}
+
+/// What a point number stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointNumber {
+    /// The point at this index of the cloud.
+    Index(u32),
+    /// A row of the cloud file that could not be read.
+    Broken,
+    /// No row: 0, or beyond the last.
+    Outside,
+}
+
+impl Numbering {
+    /// The numbering of a cloud of `points` points without broken rows.
+    pub fn of(points: usize) -> Self {
+        Self {
+            rows: points,
+            broken: Vec::new(),
+        }
+    }
+
+    /// Number of rows, broken ones included: the largest point number.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// What a number stands for. O(log b) for b broken rows.
+    #[inline]
+    pub fn resolve(&self, number: u64) -> PointNumber {
+        let row = match usize::try_from(number) {
+            Ok(number) if (1..=self.rows).contains(&number) => number - 1,
+            _ => return PointNumber::Outside,
+        };
+        // Rows are at most `MAX_POINTS`, so they fit.
+        let row = row as u32;
+        if self.broken.is_empty() {
+            return PointNumber::Index(row);
+        }
+        match self.broken.binary_search(&row) {
+            Ok(_) => PointNumber::Broken,
+            Err(before) => PointNumber::Index(row - before as u32),
+        }
+    }
+}
+
+/// Reads a cloud file. Linear in its length, one pass.
+///
+/// Anything but the paper's form is read as far as its meaning is plain (rows without commas or
+/// brackets, MATLAB's `Points=[1 2 3; …]`, a missing header or end, remarks) with a finding. A row
+/// that is not three finite numbers keeps its number and has no point ([`Numbering`]).
+pub fn read_cloud(file: &str, bytes: &[u8]) -> (CloudText, Vec<Diagnostic>) {
+    match open(file, bytes) {
+        Ok((findings, cursor)) => Reader::new(findings, cursor).read(),
+        Err(diagnostics) => (CloudText::default(), diagnostics),
+    }
+}
+
+const EMPTY: Kind = Kind {
+    severity: Severity::Error,
+    message: "The cloud file is empty",
+    expected: "`Points:=[` and one `[x, y, z],` per line",
+    hint: "Fetch the file again",
+};
+const NO_POINTS: Kind = Kind {
+    severity: Severity::Error,
+    message: "The cloud file holds no point that could be read",
+    expected: "`Points:=[` and one `[x, y, z],` per line",
+    hint: "",
+};
+const OTHER_FILE: Kind = Kind {
+    severity: Severity::Error,
+    message: "This is not a cloud but a file of primitives",
+    expected: "`Points:=[`",
+    hint: "Rename the file or set its role",
+};
+const NO_HEADER: Kind = Kind {
+    severity: Severity::Warning,
+    message: "The cloud does not begin with its header",
+    expected: "`Points:=[`",
+    hint: "The rows are read all the same",
+};
+const JUNK: Kind = Kind {
+    severity: Severity::Warning,
+    message: "A line is not a point and was skipped",
+    expected: "`[x, y, z],`",
+    hint: "It takes no point number; begin remarks with # or %",
+};
+const BROKEN_ROW: Kind = Kind {
+    severity: Severity::Error,
+    message: "A point could not be read",
+    expected: "three finite numbers, `[x, y, z],`",
+    hint: "It keeps its number and is left out; write decimals with a point",
+};
+const CUT_OFF: Kind = Kind {
+    severity: Severity::Error,
+    message: "The file ends within a point",
+    expected: "`]`",
+    hint: "The point is left out; fetch the file again",
+};
+const NO_ROW_END: Kind = Kind {
+    severity: Severity::Warning,
+    message: "A point is not closed",
+    expected: "`]` after the third number",
+    hint: "",
+};
+const NO_COMMAS: Kind = Kind {
+    severity: Severity::Note,
+    message: "Coordinates are not separated by commas",
+    expected: "`[x, y, z],`",
+    hint: "They are read all the same",
+};
+const NO_BRACKETS: Kind = Kind {
+    severity: Severity::Note,
+    message: "Points stand without brackets",
+    expected: "`[x, y, z],`",
+    hint: "Each line is read as a point",
+};
+const NOT_CLOSED: Kind = Kind {
+    severity: Severity::Warning,
+    message: "The list of points is not closed",
+    expected: "`];`",
+    hint: "If the file was cut off, fetch it again",
+};
+const AFTER_END: Kind = Kind {
+    severity: Severity::Warning,
+    message: "What follows the end of the list was not read",
+    expected: "nothing after `];`",
+    hint: "",
+};
+const TOO_MANY: Kind = Kind {
+    severity: Severity::Error,
+    message: "The cloud has too many points; the rest was not read",
+    expected: "at most 10,000,000 points",
+    hint: "Thin the cloud",
+};
+
+/// Rows read before the length of the rest is estimated from them.
+const ROWS_TO_JUDGE_BY: usize = 1024;
+
+struct Reader<'a> {
+    findings: Findings<'a>,
+    cursor: Cursor<'a>,
+    points: Vec<Point>,
+    broken: Vec<u32>,
+    /// Whether the header's bracket, or what stands for it, has been passed.
+    open: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn new(findings: Findings<'a>, cursor: Cursor<'a>) -> Self {
+        Self {
+            findings,
+            cursor,
+            points: Vec::new(),
+            broken: Vec::new(),
+            open: false,
+        }
+    }
+
+    fn read(mut self) -> (CloudText, Vec<Diagnostic>) {
+        if is_blank(self.cursor.clone()) {
+            self.findings.add_whole(&EMPTY, String::new());
+        } else {
+            self.read_rows();
+            if self.points.is_empty() {
+                self.findings.add_whole(&NO_POINTS, String::new());
+            }
+        }
+        let text = CloudText {
+            numbering: Numbering {
+                rows: self.points.len() + self.broken.len(),
+                broken: self.broken,
+            },
+            cloud: Cloud::new(self.points),
+        };
+        (text, self.findings.finish())
+    }
+
+    fn read_rows(&mut self) {
+        loop {
+            self.cursor
+                .skip_while(|byte| is_whitespace(byte) || matches!(byte, b',' | b';'));
+            let at = self.cursor.at;
+            match self.cursor.peek() {
+                Some(b'[') => {
+                    if let Some((point, end)) = paper_row(self.cursor.bytes(), at) {
+                        self.cursor.at = end;
+                        self.push(at, Some(point));
+                    } else {
+                        self.bracket();
+                    }
+                }
+                Some(b']') => {
+                    self.cursor.at += 1;
+                    return self.end();
+                }
+                Some(b'0'..=b'9' | b'+' | b'-' | b'.') => {
+                    self.findings.add(&NO_BRACKETS, at);
+                    self.odd_row(false);
+                }
+                Some(byte) if is_remark(byte) => self.cursor.skip_line(),
+                Some(byte) if byte.is_ascii_alphabetic() => {
+                    if !self.word() {
+                        return;
+                    }
+                }
+                Some(_) => {
+                    self.findings.add(&JUNK, at);
+                    self.cursor.skip_line();
+                }
+                None => return self.findings.add(&NOT_CLOSED, at),
+            }
+            if self.rows() >= MAX_POINTS {
+                return self.findings.add(&TOO_MANY, self.cursor.at);
+            }
+        }
+    }
+
+    fn rows(&self) -> usize {
+        self.points.len() + self.broken.len()
+    }
+
+    fn push(&mut self, at: usize, point: Option<Point>) {
+        if !self.open {
+            self.open = true;
+            self.findings.add(&NO_HEADER, at);
+        }
+        match point {
+            Some(point) => self.points.push(point),
+            None => self.broken.push(self.rows() as u32),
+        }
+        if self.points.len() == ROWS_TO_JUDGE_BY {
+            self.reserve();
+        }
+    }
+
+    /// Makes room for as many points as the file can be expected to hold, so that memory stays
+    /// near what the result needs.
+    fn reserve(&mut self) {
+        let rest = self.cursor.bytes().len().saturating_sub(self.cursor.at);
+        let row = (self.cursor.at / self.rows()).max(1);
+        self.points
+            .reserve_exact((rest / row + rest / row / 16).min(MAX_POINTS));
+    }
+
+    /// A word where a row was expected: the header, or junk. `false` if there is no use going on.
+    fn word(&mut self) -> bool {
+        let at = self.cursor.at;
+        let word = self.cursor.word();
+        if word.len() >= 9 && word[..9].eq_ignore_ascii_case(b"primitive") {
+            self.findings.add(
+                if self.rows() == 0 {
+                    &OTHER_FILE
+                } else {
+                    &NOT_CLOSED
+                },
+                at,
+            );
+            return false;
+        }
+        if !self.open && word.eq_ignore_ascii_case(b"points") {
+            self.open = true;
+            self.cursor.skip_whitespace();
+            let assigned = self.cursor.eat(b':') | self.cursor.eat(b'=');
+            self.cursor.skip_whitespace();
+            let bracket = self.cursor.peek() == Some(b'[') && !self.at_row();
+            self.cursor.at += usize::from(bracket);
+            if !(assigned && bracket) {
+                self.findings.add(&NO_HEADER, at);
+            }
+        } else if word.eq_ignore_ascii_case(b"nan") || word.eq_ignore_ascii_case(b"inf") {
+            // A row of numbers that begins with one that is not finite.
+            self.cursor.at = at;
+            self.odd_row(false);
+        } else {
+            self.findings.add(&JUNK, at);
+            self.cursor.skip_line();
+        }
+        true
+    }
+
+    /// Whether a whole row begins here, rather than the list.
+    fn at_row(&self) -> bool {
+        paper_row(self.cursor.bytes(), self.cursor.at).is_some()
+    }
+
+    /// A bracket that does not begin a row in the paper's form.
+    fn bracket(&mut self) {
+        let at = self.cursor.at;
+        self.cursor.at += 1;
+        self.cursor.skip_whitespace();
+        if self.cursor.peek() == Some(b'[') {
+            if !self.open {
+                self.open = true;
+                self.findings.add(&NO_HEADER, at);
+            }
+            return;
+        }
+        self.odd_row(true);
+    }
+
+    /// Reads a row in any form but the paper's, from its first number. It ends with its bracket
+    /// or, where it has none, its line.
+    fn odd_row(&mut self, bracketed: bool) {
+        let start = self.cursor.at;
+        let mut row = OddRow::default();
+        let closed = loop {
+            let at = self.cursor.at;
+            match self.cursor.peek() {
+                None => break false,
+                Some(b']') => {
+                    if bracketed {
+                        self.cursor.at += 1;
+                    }
+                    break bracketed;
+                }
+                Some(b'\n' | b'\r') if !bracketed => break false,
+                Some(b'[' | b';') => break false,
+                Some(b',') => {
+                    row.comma(at);
+                    self.cursor.at += 1;
+                }
+                Some(byte) if is_whitespace(byte) => self.cursor.at += 1,
+                Some(byte) if is_remark(byte) => self.cursor.skip_line(),
+                Some(_) => match number::read(self.cursor.bytes(), at) {
+                    Some((value, end))
+                        if self
+                            .cursor
+                            .bytes()
+                            .get(end)
+                            .is_none_or(|&next| is_separator(next)) =>
+                    {
+                        row.number(value, at);
+                        self.cursor.at = end;
+                    }
+                    _ => {
+                        row.wrong.get_or_insert(at);
+                        self.cursor.skip_token();
+                    }
+                },
+            }
+        };
+        if bracketed && !closed {
+            if self.cursor.peek().is_none() {
+                self.findings.add(&CUT_OFF, start);
+                return self.push(start, None);
+            }
+            if row.point().is_some() {
+                self.findings.add(&NO_ROW_END, start);
+            }
+        }
+        let point = row.point();
+        if point.is_none() {
+            let bytes = self.cursor.bytes();
+            let at = row.wrong.unwrap_or(start);
+            let count = row.count;
+            self.findings
+                .add_found(&BROKEN_ROW, at, || match row.wrong {
+                    Some(at) => scan::token(bytes, at),
+                    None => format!("{count} numbers"),
+                });
+        } else if let Some(at) = row.no_comma {
+            self.findings.add(&NO_COMMAS, at);
+        }
+        self.push(start, point);
+    }
+
+    /// After the closing bracket there is a semicolon and nothing else.
+    fn end(&mut self) {
+        self.cursor
+            .skip_while(|byte| is_whitespace(byte) || byte == b';');
+        if !is_blank(self.cursor.clone()) {
+            self.findings.add(&AFTER_END, self.cursor.at);
+        }
+    }
+}
+
+/// The numbers of a row as they come.
+#[derive(Default)]
+struct OddRow {
+    values: [f64; 3],
+    count: usize,
+    /// Commas since the last number.
+    commas: usize,
+    /// Where something that is no number stands.
+    wrong: Option<usize>,
+    /// Where a comma is missing.
+    no_comma: Option<usize>,
+}
+
+impl OddRow {
+    fn number(&mut self, value: f64, at: usize) {
+        if self.count > 0 && self.commas == 0 {
+            self.no_comma.get_or_insert(at);
+        }
+        if let Some(slot) = self.values.get_mut(self.count) {
+            *slot = value;
+        }
+        self.count += 1;
+        self.commas = 0;
+    }
+
+    fn comma(&mut self, at: usize) {
+        self.commas += 1;
+        if self.commas > 1 || self.count == 0 {
+            self.wrong.get_or_insert(at);
+        }
+    }
+
+    fn point(&self) -> Option<Point> {
+        (self.count == 3 && self.wrong.is_none()).then(|| Point::from(self.values))
+    }
+}
+
+/// A row exactly as the paper writes it, white space aside, from its bracket to past its end.
+#[inline]
+fn paper_row(bytes: &[u8], start: usize) -> Option<(Point, usize)> {
+    let (x, at) = number::read(bytes, past(bytes, start, b'[')?)?;
+    let (y, at) = number::read(bytes, past(bytes, at, b',')?)?;
+    let (z, at) = number::read(bytes, past(bytes, at, b',')?)?;
+    let end = past_blanks(bytes, at);
+    (bytes.get(end) == Some(&b']')).then(|| (Point::new(x, y, z), end + 1))
+}
+
+/// Past a mark and the blanks on both sides of it.
+#[inline]
+fn past(bytes: &[u8], at: usize, mark: u8) -> Option<usize> {
+    let at = past_blanks(bytes, at);
+    (bytes.get(at) == Some(&mark)).then(|| past_blanks(bytes, at + 1))
+}
+
+#[inline]
+fn past_blanks(bytes: &[u8], mut at: usize) -> usize {
+    while bytes.get(at).is_some_and(|&byte| is_whitespace(byte)) {
+        at += 1;
+    }
+    at
+}

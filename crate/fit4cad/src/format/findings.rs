@@ -1,0 +1,205 @@
+//! Collecting what is wrong with one file.
+
+use super::limits::{MAX_FILE_BYTES, MAX_SIMILAR_DIAGNOSTICS};
+use super::scan::{Cursor, Lines, excerpt, is_remark, is_whitespace};
+use crate::diagnostics::{Diagnostic, Position, Severity};
+
+/// A kind of finding: what is the same each time it occurs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Kind {
+    pub(super) severity: Severity,
+    pub(super) message: &'static str,
+    pub(super) expected: &'static str,
+    pub(super) hint: &'static str,
+}
+
+/// Shown and counted occurrences of one kind.
+#[derive(Debug)]
+struct Tally {
+    message: &'static str,
+    count: usize,
+    last_shown: usize,
+}
+
+/// The findings about one file, in the order they were made. Of each kind only the first
+/// [`MAX_SIMILAR_DIAGNOSTICS`] are kept; the others are counted.
+#[derive(Debug)]
+pub(super) struct Findings<'a> {
+    file: &'a str,
+    bytes: &'a [u8],
+    lines: Lines<'a>,
+    diagnostics: Vec<Diagnostic>,
+    tallies: Vec<Tally>,
+}
+
+impl<'a> Findings<'a> {
+    pub(super) fn new(file: &'a str, bytes: &'a [u8]) -> Self {
+        Self {
+            file,
+            bytes,
+            lines: Lines::new(bytes),
+            diagnostics: Vec::new(),
+            tallies: Vec::new(),
+        }
+    }
+
+    pub(super) fn position(&mut self, offset: usize) -> Position {
+        self.lines.position(offset)
+    }
+
+    /// Adds a finding at an offset; what was found is what stands there.
+    pub(super) fn add(&mut self, kind: &Kind, offset: usize) {
+        let bytes = self.bytes;
+        self.add_found(kind, offset, || excerpt(bytes, offset));
+    }
+
+    /// Adds a finding at an offset. `found` is called only if the finding is kept.
+    pub(super) fn add_found(&mut self, kind: &Kind, offset: usize, found: impl FnOnce() -> String) {
+        self.add_with(kind, offset, || (found(), kind.expected.to_owned()));
+    }
+
+    /// Adds a finding whose expectation differs from case to case.
+    pub(super) fn add_with(
+        &mut self,
+        kind: &Kind,
+        offset: usize,
+        found_and_expected: impl FnOnce() -> (String, String),
+    ) {
+        if self.count(kind) {
+            let position = Some(self.lines.position(offset));
+            let (found, expected) = found_and_expected();
+            self.push(kind, position, found, expected);
+        }
+    }
+
+    /// Adds a finding at a place that is known already.
+    pub(super) fn add_at(
+        &mut self,
+        kind: &Kind,
+        position: Position,
+        found_and_expected: impl FnOnce() -> (String, String),
+    ) {
+        if self.count(kind) {
+            let (found, expected) = found_and_expected();
+            self.push(kind, Some(position), found, expected);
+        }
+    }
+
+    /// Adds a finding about the file as a whole.
+    pub(super) fn add_whole(&mut self, kind: &Kind, found: String) {
+        if self.count(kind) {
+            self.push(kind, None, found, kind.expected.to_owned());
+        }
+    }
+
+    fn push(&mut self, kind: &Kind, position: Option<Position>, found: String, expected: String) {
+        self.diagnostics.push(Diagnostic {
+            severity: kind.severity,
+            file: self.file.to_owned(),
+            position,
+            message: kind.message.to_owned(),
+            found,
+            expected,
+            hint: kind.hint.to_owned(),
+        });
+    }
+
+    /// Counts an occurrence; whether it is still to be shown.
+    fn count(&mut self, kind: &Kind) -> bool {
+        let next = self.diagnostics.len();
+        match self
+            .tallies
+            .iter_mut()
+            .find(|tally| tally.message == kind.message)
+        {
+            Some(tally) => {
+                tally.count += 1;
+                let shown = tally.count <= MAX_SIMILAR_DIAGNOSTICS;
+                if shown {
+                    tally.last_shown = next;
+                }
+                shown
+            }
+            None => {
+                self.tallies.push(Tally {
+                    message: kind.message,
+                    count: 1,
+                    last_shown: next,
+                });
+                true
+            }
+        }
+    }
+
+    /// The findings; where some of a kind were left out, the last one shown says how many.
+    pub(super) fn finish(mut self) -> Vec<Diagnostic> {
+        for tally in &self.tallies {
+            let more = tally.count.saturating_sub(MAX_SIMILAR_DIAGNOSTICS);
+            if let (1.., Some(last)) = (more, self.diagnostics.get_mut(tally.last_shown)) {
+                last.message = format!("{}; {more} more like this in the file", last.message);
+            }
+        }
+        self.diagnostics
+    }
+}
+
+const TOO_LARGE: Kind = Kind {
+    severity: Severity::Error,
+    message: "The file is too large and was not read",
+    expected: "at most 512 MiB",
+    hint: "Thin the cloud or split the file",
+};
+const UTF_16: Kind = Kind {
+    severity: Severity::Error,
+    message: "The file is UTF-16 text and was not read",
+    expected: "ASCII or UTF-8",
+    hint: "Save it again with the encoding UTF-8",
+};
+const NOT_TEXT: Kind = Kind {
+    severity: Severity::Error,
+    message: "The file is not text and was not read",
+    expected: "one of the benchmark's text files",
+    hint: "Unpack archives first; export other formats as text",
+};
+
+/// The text of a file without its byte order mark, or `None` with a finding where it is no text
+/// that could be read.
+pub(super) fn open<'a>(
+    file: &'a str,
+    bytes: &'a [u8],
+) -> Result<(Findings<'a>, Cursor<'a>), Vec<Diagnostic>> {
+    let mut findings = Findings::new(file, bytes);
+    let mut cursor = Cursor::new(bytes);
+    if bytes.len() > MAX_FILE_BYTES {
+        findings.add_whole(&TOO_LARGE, format!("{} MiB", bytes.len() >> 20));
+        return Err(findings.finish());
+    }
+    match bytes {
+        [0xEF, 0xBB, 0xBF, ..] => cursor.at = 3,
+        [0xFF, 0xFE, ..]
+        | [0xFE, 0xFF, ..]
+        | [0, 1..=0x7F, 0, ..]
+        | [1..=0x7F, 0, 1..=0x7F, 0, ..] => {
+            findings.add_whole(&UTF_16, String::new());
+            return Err(findings.finish());
+        }
+        [b'P', b'K', 3, 4, ..] | [0x1F, 0x8B, ..] | [0x89, b'P', b'N', b'G', ..] => {
+            findings.add_whole(&NOT_TEXT, "binary data".to_owned());
+            return Err(findings.finish());
+        }
+        _ => {}
+    }
+    Ok((findings, cursor))
+}
+
+/// Whether a file holds nothing but white space and remarks. Linear in what it skips.
+pub(super) fn is_blank(mut cursor: Cursor<'_>) -> bool {
+    loop {
+        cursor.skip_while(is_whitespace);
+        match cursor.peek() {
+            None => return true,
+            Some(byte) if is_remark(byte) => cursor.skip_line(),
+            Some(_) => return false,
+        }
+    }
+}
