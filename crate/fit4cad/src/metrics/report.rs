@@ -1,0 +1,294 @@
+//! All measures of one submission on one model.
+
+use super::accuracy::{FitAccuracy, fit_accuracy};
+use super::classification::{Classification, Counts};
+use super::coefficients::{coefficient_distance, published_distance, published_mean};
+use super::hidden::{Hidden, Pairing};
+use super::matching::{Incidence, best_matches};
+use super::{Measures, Protocol, mean};
+use crate::cloud::Cloud;
+use crate::model::{Coefficients, Model, Primitive, Segmentation};
+use crate::surface::SurfaceType;
+
+/// The score of one submission on one model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// The rules that were applied.
+    pub protocol: Protocol,
+    /// Number of points of the cloud.
+    pub points: usize,
+    /// Number of true primitives.
+    pub truth: usize,
+    /// Number of predicted primitives.
+    pub predicted: usize,
+    /// Classification measures averaged over the true primitives, fit accuracy over the predicted.
+    pub mean: Measures,
+    /// Predictions whose type differs from that of their most overlapping true primitive, where
+    /// both name one of the five.
+    pub type_errors: usize,
+    /// One row per true primitive, in their order.
+    pub primitives: Vec<TruthRow>,
+    /// One row per predicted primitive, in their order.
+    pub predictions: Vec<PredictionRow>,
+    /// What the paper's measures hide.
+    pub hidden: Hidden,
+}
+
+/// How one true primitive was recognised.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TruthRow {
+    /// Its number in the file.
+    pub number: u32,
+    /// Its type, where it is one of the five.
+    pub kind: Option<SurfaceType>,
+    /// How many points it lists.
+    pub size: usize,
+    /// Place of its match among the predictions.
+    pub matched: Option<usize>,
+    /// The counts, in the universe of the protocol; FP and FN as defined, whatever the protocol.
+    pub counts: Counts,
+    /// The measures under the protocol's headings.
+    pub classification: Classification,
+}
+
+impl TruthRow {
+    /// What enters the mean; the published headings are swapped back and forth, as the rule is
+    /// about what a measure is and not about what it is called.
+    fn for_mean(&self, protocol: Protocol) -> Classification {
+        match protocol {
+            Protocol::Definition => self.classification.for_mean(),
+            Protocol::Published => self.classification.swapped().for_mean().swapped(),
+        }
+    }
+}
+
+/// How well one predicted primitive fits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PredictionRow {
+    /// Its number in the file.
+    pub number: u32,
+    /// Its type, where it is one of the five.
+    pub kind: Option<SurfaceType>,
+    /// How many points it lists.
+    pub size: usize,
+    /// Place of its most overlapping true primitive.
+    pub matched: Option<usize>,
+    /// How many points it shares with it.
+    pub shared: usize,
+    /// DSC with it; 0 if there is none.
+    pub dsc: Option<f64>,
+    /// Mean fitting error; `None` without surface or points.
+    pub mfe: Option<f64>,
+    /// Directed Hausdorff distance; `None` without surface or points.
+    pub d_haus: Option<f64>,
+    /// Coefficient distance to its true primitive, by the protocol; `None` if there is none, if
+    /// the types differ (by definition) or the lengths do (as published), or a vector is missing.
+    pub d1: Option<f64>,
+    /// Whether its type differs from that of its true primitive, where both are known.
+    pub type_error: bool,
+}
+
+/// Why there is no report.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ScoreError {
+    /// The model has no ground truth.
+    #[error("{model} has no ground truth to score against; add its `_primitives.txt`")]
+    NoTruth {
+        /// Name of the model.
+        model: String,
+    },
+    /// The model has no submission of that method.
+    #[error("{model} has no submission of method `{method}`")]
+    NoSubmission {
+        /// Name of the model.
+        model: String,
+        /// The method asked for.
+        method: String,
+    },
+}
+
+/// Scores the submission of one method.
+///
+/// # Errors
+/// [`ScoreError`] if the model lacks a truth or that submission.
+pub fn score(model: &Model, method: &str, protocol: Protocol) -> Result<Report, ScoreError> {
+    let truth = model.truth.as_ref().ok_or_else(|| ScoreError::NoTruth {
+        model: model.name.clone(),
+    })?;
+    let submissions = &mut model.submissions.iter();
+    let submission = submissions
+        .find(|submission| submission.method == method)
+        .ok_or_else(|| ScoreError::NoSubmission {
+            model: model.name.clone(),
+            method: method.to_owned(),
+        })?;
+    Ok(evaluate(
+        &model.cloud,
+        truth,
+        &submission.segmentation,
+        protocol,
+    ))
+}
+
+/// Scores a segmentation against the true one. O(points + listed indices + overlaps).
+pub fn evaluate(
+    cloud: &Cloud,
+    truth: &Segmentation,
+    prediction: &Segmentation,
+    protocol: Protocol,
+) -> Report {
+    let truth_incidence = Incidence::new(truth, cloud.len());
+    let prediction_incidence = Incidence::new(prediction, cloud.len());
+    let pairing = Pairing {
+        of_truth: best_matches(truth, &prediction_incidence),
+        of_prediction: best_matches(prediction, &truth_incidence),
+        truth,
+        prediction,
+        truth_incidence,
+        prediction_incidence,
+    };
+    let primitives = truth_rows(&pairing, cloud.len(), protocol);
+    let predictions = prediction_rows(&pairing, cloud, protocol);
+    Report {
+        protocol,
+        points: cloud.len(),
+        truth: truth.primitives.len(),
+        predicted: prediction.primitives.len(),
+        mean: means(&pairing, &primitives, &predictions, protocol),
+        type_errors: predictions.iter().filter(|row| row.type_error).count(),
+        hidden: Hidden::of(&pairing, cloud.len()),
+        primitives,
+        predictions,
+    }
+}
+
+fn truth_rows(pairing: &Pairing, points: usize, protocol: Protocol) -> Vec<TruthRow> {
+    let universe = match protocol {
+        Protocol::Definition => points,
+        Protocol::Published => pairing.truth_incidence.labelled_count(),
+    };
+    let in_universe = |prediction: &Primitive| match protocol {
+        Protocol::Definition => prediction.points.len(),
+        Protocol::Published => {
+            let labelled = |point: &&u32| pairing.truth_incidence.is_labelled(**point);
+            prediction.points.iter().filter(labelled).count()
+        }
+    };
+    let predictions = &pairing.prediction.primitives;
+    let sizes: Vec<usize> = predictions.iter().map(in_universe).collect();
+    let rows = pairing.truth.primitives.iter().zip(&pairing.of_truth);
+    rows.map(|(primitive, found)| {
+        let size = primitive.points.len();
+        let index = found.map(|found| found.index);
+        let shared = found.map_or(0, |found| found.shared);
+        let predicted = index
+            .and_then(|index| sizes.get(index))
+            .copied()
+            .unwrap_or(0);
+        let counts = Counts::of_sets(size, predicted, shared, universe);
+        let classification = match protocol {
+            Protocol::Definition => Classification::of(counts),
+            // DSC compares the whole sets in either protocol.
+            Protocol::Published => {
+                let whole = index.and_then(|index| predictions.get(index));
+                let whole = whole.map_or(0, |prediction| prediction.points.len());
+                Classification {
+                    dsc: Classification::of(Counts::of_sets(size, whole, shared, universe)).dsc,
+                    ..Classification::of(counts).swapped()
+                }
+            }
+        };
+        TruthRow {
+            number: primitive.number,
+            kind: primitive.kind,
+            size,
+            matched: index,
+            counts,
+            classification,
+        }
+    })
+    .collect()
+}
+
+fn prediction_rows(pairing: &Pairing, cloud: &Cloud, protocol: Protocol) -> Vec<PredictionRow> {
+    let predictions = pairing.prediction.primitives.iter();
+    let rows = predictions
+        .zip(&pairing.of_prediction)
+        .zip(pairing.prediction_dsc());
+    rows.map(|((prediction, found), dsc)| {
+        let partner = found.and_then(|found| pairing.truth.primitives.get(found.index));
+        let surface = prediction.surface.as_ref();
+        let accuracy = surface.and_then(|surface| fit_accuracy(cloud, &prediction.points, surface));
+        PredictionRow {
+            number: prediction.number,
+            kind: prediction.kind,
+            size: prediction.points.len(),
+            matched: found.map(|found| found.index),
+            shared: found.map_or(0, |found| found.shared),
+            dsc,
+            mfe: accuracy.map(|FitAccuracy { mfe, .. }| mfe),
+            d_haus: accuracy.map(|FitAccuracy { d_haus, .. }| d_haus),
+            d1: partner.and_then(|partner| distance(prediction, partner, protocol)),
+            type_error: partner.is_some_and(|partner| types_differ(prediction, partner)),
+        }
+    })
+    .collect()
+}
+
+fn types_differ(prediction: &Primitive, truth: &Primitive) -> bool {
+    matches!((prediction.kind, truth.kind), (Some(one), Some(other)) if one != other)
+}
+
+fn distance(prediction: &Primitive, truth: &Primitive, protocol: Protocol) -> Option<f64> {
+    let (v, w) = (prediction.implicit.values()?, truth.implicit.values()?);
+    match protocol {
+        Protocol::Definition if types_differ(prediction, truth) => None,
+        Protocol::Definition => coefficient_distance(v, w),
+        Protocol::Published => published_distance(v, w),
+    }
+}
+
+fn means(
+    pairing: &Pairing,
+    primitives: &[TruthRow],
+    predictions: &[PredictionRow],
+    protocol: Protocol,
+) -> Measures {
+    let over_truth = |pick: fn(Classification) -> Option<f64>| {
+        mean(primitives.iter().map(|row| pick(row.for_mean(protocol))))
+    };
+    let over_predictions =
+        |pick: fn(&PredictionRow) -> Option<f64>| mean(predictions.iter().map(pick));
+    Measures {
+        dsc: over_truth(|row| row.dsc),
+        ppv: over_truth(|row| row.ppv),
+        tpr: over_truth(|row| row.tpr),
+        tnr: over_truth(|row| row.tnr),
+        npv: over_truth(|row| row.npv),
+        acc: over_truth(|row| row.acc),
+        mfe: over_predictions(|row| row.mfe),
+        d_haus: over_predictions(|row| row.d_haus),
+        d1: match protocol {
+            Protocol::Definition => over_predictions(|row| row.d1),
+            Protocol::Published => published_mean(vectors(pairing), pairing.truth.primitives.len()),
+        },
+    }
+}
+
+/// The vector of each prediction with that of its true primitive.
+fn vectors<'a>(
+    pairing: &'a Pairing,
+) -> impl Iterator<Item = (&'a Coefficients, Option<&'a Coefficients>)> {
+    let rows = pairing
+        .prediction
+        .primitives
+        .iter()
+        .zip(&pairing.of_prediction);
+    rows.map(|(prediction, found)| {
+        let partner = found.and_then(|found| pairing.truth.primitives.get(found.index));
+        (
+            &prediction.implicit,
+            partner.map(|partner| &partner.implicit),
+        )
+    })
+}
