@@ -11,6 +11,7 @@
 //!                  local::hypotheses → grow → best → accept
 //! ```
 
+pub mod detect;
 pub mod hough;
 pub mod least_squares;
 pub mod local;
@@ -18,6 +19,7 @@ pub mod parameters;
 pub mod progress;
 pub mod scale;
 pub mod search;
+pub mod stages;
 pub mod trace;
 
 pub use parameters::Parameters;
@@ -25,7 +27,10 @@ pub use progress::{Cancelled, Observer, Stage};
 pub use scale::Scale;
 pub use search::Search;
 
+use crate::cloud::Cloud;
+use crate::model::Segmentation;
 use crate::surface::Surface;
+use trace::Event;
 
 /// How surfaces are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -45,4 +50,50 @@ pub struct Candidate {
     pub support: Vec<u32>,
     /// Root mean square distance of the support to the surface, in the units of the cloud.
     pub error: f64,
+}
+
+/// What a fit gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// The primitives found, largest first: a submission like any other.
+    pub segmentation: Segmentation,
+    /// The scale the cloud was taken to have.
+    pub scale: Scale,
+}
+
+/// Fits primitives to a bare cloud. The same cloud, parameters and seed give the same answer.
+///
+/// About O(n log n) for a given number of surfaces. Points whose coordinates are not finite stay
+/// unsegmented. The observer may stop the fit; its trace costs nothing when not wanted.
+///
+/// ```
+/// use fit4cad::cloud::{Cloud, Point};
+/// use fit4cad::fit::{Method, Parameters, fit};
+/// let grid = (0..400).map(|i| Point::new(f64::from(i % 20), f64::from(i / 20), 3.0));
+/// let cloud = Cloud::new(grid.collect());
+/// let fit = fit(&cloud, Method::Growing, &Parameters::default(), 1, &mut ())?;
+/// assert_eq!(fit.segmentation.primitives[0].points.len(), 400);
+/// # Ok::<(), fit4cad::fit::Cancelled>(())
+/// ```
+pub fn fit(
+    cloud: &Cloud,
+    method: Method,
+    parameters: &Parameters,
+    seed: u64,
+    observer: &mut dyn Observer,
+) -> Result<Fit, Cancelled> {
+    observer.progress(Stage::Prepare, 0.0)?;
+    let mut search = Search::new(cloud, parameters, seed);
+    let scale = search.scale;
+    if observer.wants_trace() {
+        observer.trace(Event::Scale(scale));
+    }
+    match method {
+        Method::Hough | Method::Growing => detect::greedy(&mut search, observer)?,
+    }
+    let segmentation = stages::finish(&search, observer)?;
+    Ok(Fit {
+        segmentation,
+        scale,
+    })
 }

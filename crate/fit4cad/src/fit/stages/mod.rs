@@ -1,0 +1,54 @@
+//! From the surfaces a method found to a segmentation: prune, label, patches. Every fitter shares
+//! these stages, so methods differ only in what they find.
+
+mod label;
+mod patches;
+mod prune;
+
+pub use label::{Labels, label};
+pub use patches::patches;
+pub use prune::prune;
+
+use super::progress::{Cancelled, Observer, Stage};
+use super::search::Search;
+use super::{Candidate, Parameters};
+use crate::model::{Coefficients, Primitive, Segmentation};
+
+/// Runs the three stages on what a search accepted.
+pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmentation, Cancelled> {
+    observer.progress(Stage::Prune, 0.0)?;
+    let kept = prune(search, search.accepted().to_vec());
+    observer.progress(Stage::Label, 0.0)?;
+    let labels = label(search, &kept);
+    observer.progress(Stage::Patches, 0.0)?;
+    let smallest = Parameters::count(search.parameters.smallest);
+    let mut primitives: Vec<Primitive> = Vec::new();
+    for (candidate, points) in patches(search, &kept, &labels) {
+        if points.len() >= smallest {
+            let surface = candidate.surface;
+            primitives.push(Primitive {
+                number: 0,
+                points,
+                kind: Some(surface.kind()),
+                surface: Some(surface),
+                parametric: Coefficients::Given(surface.to_parametric()),
+                implicit: Coefficients::Given(surface.to_implicit()),
+            });
+        }
+    }
+    primitives.sort_by_key(|primitive| std::cmp::Reverse(primitive.points.len()));
+    for (number, primitive) in (1..).zip(&mut primitives) {
+        primitive.number = number;
+    }
+    observer.progress(Stage::Patches, 1.0)?;
+    Ok(Segmentation { primitives })
+}
+
+/// Membership of a candidate's points, as a lookup over the cloud.
+fn membership(count: usize, candidate: &Candidate) -> Vec<bool> {
+    let mut member = vec![false; count];
+    for &index in &candidate.support {
+        member[index as usize] = true;
+    }
+    member
+}
