@@ -319,7 +319,7 @@ mod tests {
             (Surface::Sphere(Sphere::new(o, 0.8)), moves),
             (
                 Surface::Torus(Torus::new(o, Vector::z(), 0.8, 0.5)),
-                [steps(0.6, 1.2), steps(0.02, 0.6)],
+                [steps(0.8, 1.2), steps(0.02, 0.78)],
             ),
         ] {
             let slice = Slice::new(base, o, Slice::telling(base.kind()), range);
