@@ -4,8 +4,12 @@
 pub mod accumulator;
 pub mod directions;
 pub mod family;
+mod find;
 pub mod gamma;
 pub mod grid;
 pub mod persistence;
+mod solutions;
 pub mod space;
 pub mod vote;
+
+pub use find::find;
