@@ -1,0 +1,215 @@
+//! What colours the points of one side: labels with a table, scalars with a range, or normals.
+
+use crate::cloud::Cloud;
+
+/// What a label's points look like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub enum LabelState {
+    /// Not drawn and not picked.
+    Hidden = 0,
+    /// Drawn almost in the colour of the background, so that others stand out; not picked.
+    Faded = 1,
+    /// Drawn in its colour.
+    Shown = 2,
+    /// Drawn in its colour, with an outline.
+    Highlighted = 3,
+}
+
+impl LabelState {
+    /// The state of that number; unknown numbers are shown.
+    pub fn from_number(number: u8) -> Self {
+        match number {
+            0 => Self::Hidden,
+            1 => Self::Faded,
+            3 => Self::Highlighted,
+            _ => Self::Shown,
+        }
+    }
+
+    /// Whether the cursor finds its points: what is faded lets it through to what is not.
+    pub fn can_be_picked(self) -> bool {
+        matches!(self, Self::Shown | Self::Highlighted)
+    }
+}
+
+/// Which of a side's values give the colour.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum ColourBy {
+    /// The colour of the point's label.
+    #[default]
+    Label,
+    /// The point's scalar, from the low to the high end of the colour map.
+    Scalar {
+        /// Value at the start of the map.
+        low: f32,
+        /// Value at its end.
+        high: f32,
+    },
+    /// The absolute components of the unit normal as red, green and blue. Normals estimated from
+    /// points have no sign, so the sign is left out (as in Pajevic and Pierpaoli 1999).
+    Normal,
+}
+
+/// Everything that colours the points of one side. Values are in the cloud's shuffled order;
+/// the counters tell the graphics side what has changed since it last looked.
+#[derive(Debug, Default)]
+pub struct Colouring {
+    /// What gives the colour.
+    pub by: ColourBy,
+    labels: Revised<Vec<u32>>,
+    scalars: Revised<Vec<f32>>,
+    table: Revised<Vec<[u8; 4]>>,
+    map: Revised<Vec<[u8; 4]>>,
+}
+
+/// A value and how often it has been set.
+#[derive(Debug, Default)]
+pub struct Revised<T> {
+    value: T,
+    revision: u64,
+}
+
+impl<T> Revised<T> {
+    /// The value.
+    pub fn get(&self) -> &T {
+        &self.value
+    }
+
+    /// How often it has been set.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Sets it.
+    pub fn set(&mut self, value: T) {
+        self.value = value;
+        self.revision += 1;
+    }
+}
+
+impl Colouring {
+    /// Colour of labels that the table does not know.
+    const UNKNOWN: [u8; 3] = [128, 128, 128];
+
+    /// Forgets the values of the points that were there before; the table stays.
+    pub fn clear(&mut self, cloud: &Cloud) {
+        self.by = ColourBy::Label;
+        self.labels.set(vec![0; cloud.len()]);
+        self.scalars.set(Vec::new());
+    }
+
+    /// Sets the label of each point, in the order the points were given.
+    pub fn set_labels(&mut self, cloud: &Cloud, labels: &[u32]) {
+        self.labels.set(cloud.arrange(labels, 0));
+    }
+
+    /// Sets the scalar of each point, in the order the points were given. Points without a number
+    /// (NaN) take the colour of label 0.
+    pub fn set_scalars(&mut self, cloud: &Cloud, scalars: &[f32]) {
+        self.scalars.set(cloud.arrange(scalars, f32::NAN));
+    }
+
+    /// Sets the colours (r g b per label) and keeps the states of the labels there were.
+    pub fn set_colours(&mut self, colours: &[u8]) {
+        let (colours, _) = colours.as_chunks::<3>();
+        let states = self.table.get();
+        let table = colours
+            .iter()
+            .enumerate()
+            .map(|(label, &[r, g, b])| {
+                let shown = LabelState::Shown as u8;
+                [r, g, b, states.get(label).map_or(shown, |entry| entry[3])]
+            })
+            .collect();
+        self.table.set(table);
+    }
+
+    /// Sets the states, one per label; labels beyond the last are shown.
+    pub fn set_states(&mut self, states: &[u8]) {
+        let mut table = std::mem::take(&mut self.table.value);
+        let [r, g, b] = Self::UNKNOWN;
+        let missing = states.len().saturating_sub(table.len());
+        table.extend(std::iter::repeat_n(
+            [r, g, b, LabelState::Shown as u8],
+            missing,
+        ));
+        for (label, entry) in table.iter_mut().enumerate() {
+            let state = states
+                .get(label)
+                .copied()
+                .map_or(LabelState::Shown, LabelState::from_number);
+            entry[3] = state as u8;
+        }
+        self.table.set(table);
+    }
+
+    /// Sets the colour map of the scalars (r g b per step, from low to high).
+    pub fn set_map(&mut self, colours: &[u8]) {
+        let (colours, _) = colours.as_chunks::<3>();
+        self.map
+            .set(colours.iter().map(|&[r, g, b]| [r, g, b, 255]).collect());
+    }
+
+    /// Labels, shuffled.
+    pub fn labels(&self) -> &Revised<Vec<u32>> {
+        &self.labels
+    }
+
+    /// Scalars, shuffled; empty when there are none.
+    pub fn scalars(&self) -> &Revised<Vec<f32>> {
+        &self.scalars
+    }
+
+    /// Colour and state of each label.
+    pub fn table(&self) -> &Revised<Vec<[u8; 4]>> {
+        &self.table
+    }
+
+    /// Steps of the colour map.
+    pub fn map(&self) -> &Revised<Vec<[u8; 4]>> {
+        &self.map
+    }
+
+    /// State of a label.
+    pub fn state(&self, label: u32) -> LabelState {
+        let entry = self.table.get().get(label as usize);
+        entry.map_or(LabelState::Shown, |entry| LabelState::from_number(entry[3]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn new_colours_keep_what_is_hidden() {
+        let mut colouring = Colouring::default();
+        colouring.set_colours(&[1, 2, 3, 4, 5, 6]);
+        colouring.set_states(&[2, 0]);
+        colouring.set_colours(&[9, 9, 9, 8, 8, 8, 7, 7, 7]);
+        assert_eq!(
+            colouring.table().get(),
+            &[[9, 9, 9, 2], [8, 8, 8, 0], [7, 7, 7, 2]]
+        );
+        assert_eq!(colouring.state(1), LabelState::Hidden);
+    }
+
+    #[test]
+    fn states_may_come_before_colours() {
+        let mut colouring = Colouring::default();
+        colouring.set_states(&[0, 3]);
+        assert_eq!(colouring.state(0), LabelState::Hidden);
+        assert_eq!(colouring.state(1), LabelState::Highlighted);
+        assert_eq!(colouring.state(2), LabelState::Shown);
+    }
+
+    #[test]
+    fn every_change_is_counted() {
+        let cloud = Cloud::new(&[0.0; 6]);
+        let mut colouring = Colouring::default();
+        let before = colouring.labels().revision();
+        colouring.set_labels(&cloud, &[1, 2]);
+        assert_eq!(colouring.labels().revision(), before + 1);
+    }
+}

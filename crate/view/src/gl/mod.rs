@@ -1,0 +1,37 @@
+//! A thin layer over WebGL2: programs, buffers and targets that know how to make themselves.
+//!
+//! Nothing here is released by hand: the objects belong to the context, and the few that are
+//! replaced are deleted where they are replaced.
+
+mod buffers;
+mod program;
+mod targets;
+
+pub use buffers::{Buffer, VertexArray};
+pub use program::Program;
+pub use targets::{Export, IdTarget, SceneTarget, Texture};
+pub use web_sys::WebGl2RenderingContext as Gl;
+
+/// What can go wrong between the renderer and the graphics driver.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum GlError {
+    /// The driver gave no object: the context is lost, or out of memory.
+    #[error("the graphics context is lost or out of memory")]
+    Lost,
+    /// A shader was not accepted.
+    #[error("a shader was not accepted by the graphics driver: {0}")]
+    Shader(String),
+    /// A framebuffer cannot be drawn to.
+    #[error("the graphics driver cannot draw to a {width} × {height} target (status {status:#x})")]
+    Target {
+        /// Width in pixels.
+        width: i32,
+        /// Height in pixels.
+        height: i32,
+        /// What `checkFramebufferStatus` said.
+        status: u32,
+    },
+    /// Pixels could not be read back.
+    #[error("the picture could not be read back from the graphics driver")]
+    Read,
+}

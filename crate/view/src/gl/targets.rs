@@ -1,0 +1,250 @@
+//! Textures and the framebuffers that are drawn into.
+
+use web_sys::{WebGlFramebuffer, WebGlRenderbuffer, WebGlTexture};
+
+use super::{Gl, GlError};
+
+/// A texture without filtering, read texel by texel.
+#[derive(Debug)]
+pub struct Texture {
+    texture: WebGlTexture,
+}
+
+impl Texture {
+    /// An empty texture.
+    pub fn new(gl: &Gl, filter: u32) -> Result<Self, GlError> {
+        let texture = gl.create_texture().ok_or(GlError::Lost)?;
+        gl.bind_texture(Gl::TEXTURE_2D, Some(&texture));
+        for (name, value) in [
+            (Gl::TEXTURE_MIN_FILTER, filter),
+            (Gl::TEXTURE_MAG_FILTER, filter),
+            (Gl::TEXTURE_WRAP_S, Gl::CLAMP_TO_EDGE),
+            (Gl::TEXTURE_WRAP_T, Gl::CLAMP_TO_EDGE),
+        ] {
+            gl.tex_parameteri(Gl::TEXTURE_2D, name, value.cast_signed());
+        }
+        Ok(Self { texture })
+    }
+
+    /// Binds it to a texture unit.
+    pub fn bind(&self, gl: &Gl, unit: u32) {
+        gl.active_texture(Gl::TEXTURE0 + unit);
+        gl.bind_texture(Gl::TEXTURE_2D, Some(&self.texture));
+    }
+
+    /// Replaces the content by r g b a bytes, row by row. Too few bytes are an error of the caller
+    /// and leave the texture as it is.
+    pub fn upload(&self, gl: &Gl, width: i32, height: i32, rgba: &[u8]) {
+        gl.bind_texture(Gl::TEXTURE_2D, Some(&self.texture));
+        // The only error is a buffer shorter than the texture.
+        let done = gl.tex_image_2d_with_i32_and_i32_and_i32_and_format_and_type_and_opt_u8_array(
+            Gl::TEXTURE_2D,
+            0,
+            Gl::RGBA8.cast_signed(),
+            width,
+            height,
+            0,
+            Gl::RGBA,
+            Gl::UNSIGNED_BYTE,
+            Some(rgba),
+        );
+        debug_assert!(
+            done.is_ok(),
+            "texture of {width} × {height} from {} bytes",
+            rgba.len()
+        );
+    }
+
+    fn storage(gl: &Gl, format: u32, width: i32, height: i32) -> Result<Self, GlError> {
+        let texture = Self::new(gl, Gl::NEAREST)?;
+        gl.tex_storage_2d(Gl::TEXTURE_2D, 1, format, width, height);
+        Ok(texture)
+    }
+}
+
+fn framebuffer(gl: &Gl) -> Result<WebGlFramebuffer, GlError> {
+    let framebuffer = gl.create_framebuffer().ok_or(GlError::Lost)?;
+    gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&framebuffer));
+    Ok(framebuffer)
+}
+
+fn attach(gl: &Gl, place: u32, texture: &Texture) {
+    let texture = Some(&texture.texture);
+    gl.framebuffer_texture_2d(Gl::FRAMEBUFFER, place, Gl::TEXTURE_2D, texture, 0);
+}
+
+fn check(gl: &Gl, width: i32, height: i32) -> Result<(), GlError> {
+    match gl.check_framebuffer_status(Gl::FRAMEBUFFER) {
+        Gl::FRAMEBUFFER_COMPLETE => Ok(()),
+        _ if gl.is_context_lost() => Err(GlError::Lost),
+        status => Err(GlError::Target {
+            width,
+            height,
+            status,
+        }),
+    }
+}
+
+/// Colour and depth of the points, both readable as textures by the eye-dome lighting pass.
+#[derive(Debug)]
+pub struct SceneTarget {
+    framebuffer: WebGlFramebuffer,
+    /// Colour; alpha 0 background, ½ highlighted, 1 other points.
+    pub colour: Texture,
+    /// Depth, 24 bits.
+    pub depth: Texture,
+    size: (i32, i32),
+}
+
+impl SceneTarget {
+    /// A target of the given size.
+    pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
+        let colour = Texture::storage(gl, Gl::RGBA8, width, height)?;
+        let depth = Texture::storage(gl, Gl::DEPTH_COMPONENT24, width, height)?;
+        let framebuffer = framebuffer(gl)?;
+        attach(gl, Gl::COLOR_ATTACHMENT0, &colour);
+        attach(gl, Gl::DEPTH_ATTACHMENT, &depth);
+        check(gl, width, height)?;
+        Ok(Self {
+            framebuffer,
+            colour,
+            depth,
+            size: (width, height),
+        })
+    }
+
+    /// Size in pixels.
+    pub fn size(&self) -> (i32, i32) {
+        self.size
+    }
+
+    /// Makes it the target of drawing.
+    pub fn bind(&self, gl: &Gl) {
+        gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&self.framebuffer));
+    }
+
+    /// Gives the memory back.
+    pub fn delete(&self, gl: &Gl) {
+        gl.delete_framebuffer(Some(&self.framebuffer));
+        gl.delete_texture(Some(&self.colour.texture));
+        gl.delete_texture(Some(&self.depth.texture));
+    }
+}
+
+/// Renderbuffers under a framebuffer that is read back, never sampled.
+fn renderbuffer(
+    gl: &Gl,
+    place: u32,
+    format: u32,
+    samples: i32,
+    (width, height): (i32, i32),
+) -> Result<WebGlRenderbuffer, GlError> {
+    let buffer = gl.create_renderbuffer().ok_or(GlError::Lost)?;
+    gl.bind_renderbuffer(Gl::RENDERBUFFER, Some(&buffer));
+    gl.renderbuffer_storage_multisample(Gl::RENDERBUFFER, samples, format, width, height);
+    gl.framebuffer_renderbuffer(Gl::FRAMEBUFFER, place, Gl::RENDERBUFFER, Some(&buffer));
+    Ok(buffer)
+}
+
+/// Where the numbers of points are drawn, to be read back.
+#[derive(Debug)]
+pub struct IdTarget {
+    framebuffer: WebGlFramebuffer,
+    buffers: [WebGlRenderbuffer; 2],
+    size: (i32, i32),
+}
+
+impl IdTarget {
+    /// A target of the given size.
+    pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
+        let framebuffer = framebuffer(gl)?;
+        let size = (width, height);
+        let buffers = [
+            renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, 0, size)?,
+            renderbuffer(gl, Gl::DEPTH_ATTACHMENT, Gl::DEPTH_COMPONENT24, 0, size)?,
+        ];
+        check(gl, width, height)?;
+        Ok(Self {
+            framebuffer,
+            buffers,
+            size,
+        })
+    }
+
+    /// Size in pixels.
+    pub fn size(&self) -> (i32, i32) {
+        self.size
+    }
+
+    /// Makes it the target of drawing and reading.
+    pub fn bind(&self, gl: &Gl) {
+        gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&self.framebuffer));
+    }
+
+    /// Gives the memory back.
+    pub fn delete(&self, gl: &Gl) {
+        gl.delete_framebuffer(Some(&self.framebuffer));
+        for buffer in &self.buffers {
+            gl.delete_renderbuffer(Some(buffer));
+        }
+    }
+}
+
+/// Where a picture is drawn that is saved and not shown: multisampled, then resolved.
+#[derive(Debug)]
+pub struct Export {
+    drawn: WebGlFramebuffer,
+    resolved: WebGlFramebuffer,
+    buffers: [WebGlRenderbuffer; 3],
+    size: (i32, i32),
+}
+
+impl Export {
+    const SAMPLES: i32 = 4;
+
+    /// A target of the given size.
+    pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
+        let size = (width, height);
+        let drawn = framebuffer(gl)?;
+        let colour = renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, Self::SAMPLES, size)?;
+        let format = Gl::DEPTH_COMPONENT24;
+        let depth = renderbuffer(gl, Gl::DEPTH_ATTACHMENT, format, Self::SAMPLES, size)?;
+        check(gl, width, height)?;
+        let resolved = framebuffer(gl)?;
+        let plain = renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, 0, size)?;
+        check(gl, width, height)?;
+        Ok(Self {
+            drawn,
+            resolved,
+            buffers: [colour, depth, plain],
+            size,
+        })
+    }
+
+    /// Makes it the target of drawing.
+    pub fn bind(&self, gl: &Gl) {
+        gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&self.drawn));
+    }
+
+    /// Resolves what was drawn and reads it, r g b a, lowest row first.
+    pub fn read(&self, gl: &Gl, into: &mut [u8]) -> Result<(), GlError> {
+        let (width, height) = self.size;
+        gl.bind_framebuffer(Gl::READ_FRAMEBUFFER, Some(&self.drawn));
+        gl.bind_framebuffer(Gl::DRAW_FRAMEBUFFER, Some(&self.resolved));
+        let (bits, filter) = (Gl::COLOR_BUFFER_BIT, Gl::NEAREST);
+        gl.blit_framebuffer(0, 0, width, height, 0, 0, width, height, bits, filter);
+        gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&self.resolved));
+        let (format, kind) = (Gl::RGBA, Gl::UNSIGNED_BYTE);
+        gl.read_pixels_with_opt_u8_array(0, 0, width, height, format, kind, Some(into))
+            .map_err(|_| GlError::Read)
+    }
+
+    /// Gives the memory back.
+    pub fn delete(&self, gl: &Gl) {
+        gl.delete_framebuffer(Some(&self.drawn));
+        gl.delete_framebuffer(Some(&self.resolved));
+        for buffer in &self.buffers {
+            gl.delete_renderbuffer(Some(buffer));
+        }
+    }
+}
