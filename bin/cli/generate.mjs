@@ -1,0 +1,89 @@
+// `fit4cad generate`.
+
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { loadEngine } from "./engine.mjs";
+import { reason } from "./inputs.mjs";
+import { print, warn } from "./terminal.mjs";
+import { UsageError, number, readArguments } from "./usage.mjs";
+
+const OPTIONS = {
+  list: { type: "boolean", default: false },
+  seed: { type: "string" },
+  spacing: { type: "string" },
+  noise: { type: "string" },
+  outliers: { type: "string" },
+  missing: { type: "string" },
+  out: { type: "string", default: "." },
+};
+
+/** Makes a part's files, or lists the parts; gives the exit code. */
+export async function generate(args) {
+  const { values, positionals } = readArguments(args, OPTIONS);
+  const options = {
+    seed: number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true }),
+    spacing: number("spacing", values.spacing, { least: Number.MIN_VALUE }),
+    noise: number("noise", values.noise, { least: 0 }),
+    outliers: number("outliers", values.outliers, { least: 0, most: 1 }),
+    missing: number("missing", values.missing, { least: 0, most: 1 }),
+  };
+  const engine = await loadEngine();
+  const parts = engine.parts();
+  if (values.list) {
+    if (positionals.length > 0) {
+      throw new UsageError("--list takes no part");
+    }
+    await list(parts);
+    return 0;
+  }
+  if (positionals.length !== 1) {
+    throw new UsageError("give one part; --list shows them");
+  }
+  const [part] = positionals;
+  if (!parts.some(({ name }) => name === part)) {
+    throw new UsageError(`there is no part "${part}"; --list shows what there is`);
+  }
+  return write(make(engine, part, options), values.out);
+}
+
+async function list(parts) {
+  const width = Math.max(...parts.map(({ name }) => name.length));
+  await print(parts.map(({ name, description }) => `${name.padEnd(width)}  ${description}\n`).join(""));
+}
+
+function make(engine, part, options) {
+  const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
+  let model;
+  try {
+    model = engine.Model.generate(part, given);
+  } catch (error) {
+    // The engine says what is wrong with the options (a spacing of a millionth, say).
+    throw new UsageError(error.message);
+  }
+  try {
+    return { name: model.info().name, texts: model.write() };
+  } finally {
+    model.free();
+  }
+}
+
+async function write({ name, texts }, folder) {
+  const files = {
+    [`${name}.txt`]: texts.cloud,
+    [`${name}_primitives.txt`]: texts.primitives,
+    [`${name}_parametric.txt`]: texts.parametric,
+    [`${name}_implicit.txt`]: texts.implicit,
+  };
+  try {
+    mkdirSync(folder, { recursive: true });
+    for (const [file, text] of Object.entries(files)) {
+      const path = join(folder, file);
+      writeFileSync(path, text);
+      await print(`${path}\n`);
+    }
+    return 0;
+  } catch (error) {
+    warn(`fit4cad generate: ${folder} could not be written: ${reason(error)}`);
+    return 1;
+  }
+}

@@ -1,0 +1,81 @@
+// What `--help` teaches.
+
+const fit4cad = `fit4cad: score and make segmentations of CAD point clouds, as the Fit4CAD benchmark does
+
+  fit4cad score PATH…       score submissions against the ground truth
+  fit4cad generate PART     make a model with known ground truth
+  fit4cad generate --list   the parts it can make
+  fit4cad COMMAND --help    what a command reads, prints and means
+  fit4cad --version
+
+Try it on a model of your own making:
+  fit4cad generate --list
+  fit4cad generate bracket --out demo
+  fit4cad score demo --self
+
+Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
+`;
+
+const score = `fit4cad score PATH… [--protocol definition|published] [--format table|json|csv|latex] [--self]
+
+Scores every submission found in the given files, folders and zips against the ground truth found
+beside it. Files belong to one model by their names:
+
+  PC14.txt                       the cloud
+  PC14_primitives.txt            which points make up each primitive
+  PC14_parametric.txt            each primitive's surface, parametric form
+  PC14_implicit.txt              each primitive's surface, implicit form
+
+A folder whose name ends in a method's (pointCloud_primitives_HT) or is one (HT/) holds that
+method's submission; files in other folders are the truth. One of the two surface files is enough.
+
+  --protocol definition   (default) the formulas of the Fit4CAD paper, computed exactly
+  --protocol published    what the authors' scripts compute, to set a score beside the paper's
+                          tables. Note: those scripts swap prediction and truth, so the columns
+                          PPV and TPR hold each other's values, and so do TNR and NPV. True
+                          negatives are counted among the points listed by the truth only, and
+                          the mean of d1 counts missing primitives as perfect.
+  --format table          (default) one aligned row per model and method
+  --format json           everything, with one entry per primitive and the diagnostics
+  --format csv            one row per model and method, for a spreadsheet
+  --format latex          a booktabs table like the paper's
+  --self                  scores the truth against itself, as method "truth"
+
+Measures, each the mean over primitives; n/a (null in JSON) where one cannot be had:
+  DSC PPV TPR TNR NPV ACC  agreement of the point sets: Dice, precision, recall, specificity,
+                           negative predictive value, accuracy; 1 is best
+  MFE dHaus                mean and largest distance of a predicted primitive's points to its
+                           predicted surface, over the diagonal of their bounding box; 0 is best
+  d1                       distance of the predicted and the true implicit coefficients; 0 is best
+  type errors              predictions whose type differs from the truth's: they have no d1
+
+Results go to stdout. What is wrong with the input goes to stderr, with file, line and column; in
+JSON it is part of the output. A broken entry does not keep the rest of a file from being scored.
+
+Examples:
+  fit4cad score Fit4CAD-main.zip
+  fit4cad score dataset/test_set my_results/pointCloud_primitives_MINE --format csv > scores.csv
+  fit4cad score . --protocol published --format json | jq '.[].mean.DSC'
+
+Exit code: 0 all scored, 1 some input unusable, 2 called wrongly.
+`;
+
+const generate = `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [--outliers f] [--missing f] [--out DIR]
+fit4cad generate --list
+
+Makes a CAD-like part with its ground truth: the four files of a Fit4CAD model. The same options
+always give the same files.
+
+  --list        the parts, with what each is good for
+  --seed N      of the random choices (default 1)
+  --spacing S   distance between neighbouring points, in the part's units
+  --noise σ     standard deviation of the points' displacement, in the part's units
+  --outliers f  share of points scattered through the part's bounding box, 0 to 1
+  --missing f   share of points cut away in balls and half-spaces, 0 to 1
+  --out DIR     where the files go (default: the current folder); made if missing
+
+Example:
+  fit4cad generate bracket --noise 0.01 --out demo && fit4cad score demo --self
+`;
+
+export const HELP = { fit4cad, score, generate };

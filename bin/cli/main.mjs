@@ -1,0 +1,70 @@
+// The command line: finds the command, turns failures into exit codes.
+
+import { NotBuilt } from "./engine.mjs";
+import { HELP } from "./help.mjs";
+import { endOnClosedPipe, print, warn } from "./terminal.mjs";
+import { UsageError } from "./usage.mjs";
+
+const USAGE = 2;
+const FAILED = 1;
+
+const COMMANDS = {
+  score: async () => (await import("./score.mjs")).score,
+  generate: async () => (await import("./generate.mjs")).generate,
+};
+
+/** Runs the command line; gives the exit code: 0 all well, 1 some input unusable, 2 called wrongly. */
+export async function main(args) {
+  endOnClosedPipe();
+  const [name, ...rest] = args;
+  if (name === undefined || name === "help" || name === "--help" || name === "-h") {
+    return help(name === undefined ? USAGE : 0, rest[0]);
+  }
+  if (name === "--version" || name === "-V") {
+    const { loadEngine } = await import("./engine.mjs");
+    return attempt(name, async () => {
+      await print(`fit4cad ${(await loadEngine()).version()}\n`);
+      return 0;
+    });
+  }
+  if (!Object.hasOwn(COMMANDS, name)) {
+    warn(`fit4cad: there is no command "${name}". Commands: ${Object.keys(COMMANDS).join(", ")}; try fit4cad --help.`);
+    return USAGE;
+  }
+  if (rest.includes("--help") || rest.includes("-h")) {
+    return help(0, name);
+  }
+  return attempt(name, async () => (await COMMANDS[name]())(rest));
+}
+
+async function help(code, topic) {
+  const text = HELP[topic] ?? HELP.fit4cad;
+  if (code === 0) {
+    await print(text);
+  } else {
+    process.stderr.write(text);
+  }
+  return code;
+}
+
+async function attempt(name, body) {
+  try {
+    return await body();
+  } catch (error) {
+    if (error instanceof UsageError) {
+      warn(`fit4cad ${name}: ${error.message}`);
+      warn(`Try fit4cad ${name} --help.`);
+      return USAGE;
+    }
+    if (error instanceof NotBuilt) {
+      warn(error.message);
+      return FAILED;
+    }
+    if (error.code === "ERR_MODULE_NOT_FOUND") {
+      warn("The npm packages are not installed. Run `npm run build` in the checkout, then try again.");
+      return FAILED;
+    }
+    warn(`fit4cad ${name}: ${error.stack ?? error}`);
+    return FAILED;
+  }
+}

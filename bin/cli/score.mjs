@@ -1,0 +1,62 @@
+// `fit4cad score`.
+
+import { FORMATS } from "../formats/index.mjs";
+import { loadEngine } from "./engine.mjs";
+import { evaluate } from "./evaluate.mjs";
+import { collect } from "./inputs.mjs";
+import { print, progress, warn } from "./terminal.mjs";
+import { UsageError, choice, readArguments } from "./usage.mjs";
+
+const OPTIONS = {
+  protocol: { type: "string", default: "definition" },
+  format: { type: "string", default: "table" },
+  self: { type: "boolean", default: false },
+};
+
+/** Scores what the arguments name; gives the exit code. */
+export async function score(args) {
+  const { values, positionals } = readArguments(args, OPTIONS);
+  if (positionals.length === 0) {
+    throw new UsageError("give at least one file, folder or zip");
+  }
+  const protocol = choice("protocol", values.protocol, ["definition", "published"]);
+  const format = choice("format", values.format, Object.keys(FORMATS));
+  const engine = await loadEngine();
+
+  progress.show("looking for files");
+  const inputs = collect(positionals);
+  const { reports, diagnostics } = evaluate(engine, inputs.files, {
+    protocol,
+    self: values.self,
+    progress: (text) => progress.show(`scoring ${text}`),
+  });
+  progress.clear();
+
+  const problems = [...inputs.diagnostics, ...diagnostics];
+  for (const problem of shownOnTerminal(problems, reports, format)) {
+    warn(inOneLine(problem));
+  }
+  if (reports.length === 0) {
+    warn("fit4cad score: nothing could be scored. A score needs a cloud, its truth and a submission; see fit4cad score --help.");
+  }
+  await print(FORMATS[format](reports));
+  const failed = reports.length === 0 || problems.some(({ severity }) => severity === "error");
+  return failed ? 1 : 0;
+}
+
+/** JSON holds the diagnostics of its reports itself; only the others are left for the terminal. */
+function shownOnTerminal(problems, reports, format) {
+  if (format !== "json") {
+    return problems;
+  }
+  const told = new Set(reports.flatMap(({ diagnostics }) => diagnostics.map(inOneLine)));
+  return problems.filter((problem) => !told.has(inOneLine(problem)));
+}
+
+/** `file:line:column: severity: message (found …, expected …). hint` */
+function inOneLine({ severity, file, line, column, message, found, expected, hint }) {
+  const place = line === undefined || line === null ? "" : `:${line}:${column}`;
+  const details = [found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean);
+  const detail = details.length > 0 ? ` (${details.join(", ")})` : "";
+  return `${file}${place}: ${severity}: ${message}${detail}${hint ? `. ${hint}` : ""}`;
+}

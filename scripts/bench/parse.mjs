@@ -1,0 +1,33 @@
+// Reading clouds.
+
+import { listZip } from "../../bin/cli/zip.mjs";
+import { generatedZip, trainingZip } from "../lib/samples.mjs";
+
+export const name = "parse";
+export const about = "reading PCi.txt, text in memory to points";
+
+const CLOUDS = 24;
+
+export function measure(bench) {
+  const zip = trainingZip();
+  if (!zip) {
+    bench.note("the public files are not at hand; generated parts instead");
+  }
+  const clouds = listZip(zip ?? generatedZip(bench.engine))
+    .entries.filter(({ path }) => !/_(primitives|parametric|implicit)\.txt$/.test(path))
+    .slice(0, CLOUDS)
+    .map(({ path, read }) => ({ path, role: "cloud", bytes: read() }));
+  const megabytes = clouds.reduce((sum, { bytes }) => sum + bytes.length, 0) / 1e6;
+  let points = 0;
+  const seconds = bench.seconds(7, () => {
+    points = 0;
+    for (const cloud of clouds) {
+      const model = bench.engine.Model.read("PC1", [cloud]);
+      points += model.info().points;
+      model.free();
+    }
+  });
+  bench.note(`${clouds.length} clouds, ${points} points, ${megabytes.toFixed(1)} MB`);
+  bench.figure("text read", megabytes / seconds, "MB/s", { least: 100, digits: 0 });
+  bench.figure("points read", points / seconds / 1e6, "million/s");
+}

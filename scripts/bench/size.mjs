@@ -1,0 +1,25 @@
+// What a visitor has to download before the engine can start.
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { brotliCompressSync } from "node:zlib";
+import { ROOT } from "../lib/paths.mjs";
+
+export const name = "size";
+export const about = "wasm as served";
+
+const MODULES = [
+  { label: "engine", path: "www/generated/engine/engine_bg.wasm", most: 350 },
+  { label: "view", path: "www/generated/view/view_bg.wasm" },
+];
+
+export function measure(bench) {
+  for (const { label, path, most } of MODULES) {
+    const bytes = readFileSync(join(ROOT, path));
+    bench.figure(`${label}, raw`, bytes.length / 1000, "kB", { digits: 1 });
+    bench.figure(`${label}, brotli`, brotliCompressSync(bytes).length / 1000, "kB", {
+      most,
+      digits: 1,
+    });
+  }
+}
