@@ -2,12 +2,9 @@
 
 import { reason, unusable } from "./inputs.mjs";
 
-/** The name under which `--self` submits the truth. */
-export const TRUTH_AS_METHOD = "truth";
-
 /**
- * Scores every submission among the files. Gives `{ reports, diagnostics }`: the reports ordered by
- * model number, then name, then method; the diagnostics in the order in which they were found.
+ * Scores every submission among the files; with `self`, the truth against itself instead. Gives
+ * `{ reports, diagnostics }`: the reports in the engine's order, by model number, name and method.
  */
 export function evaluate(engine, files, { protocol, self = false, progress = () => {} }) {
   const grouping = engine.group(files.map(({ path }) => path));
@@ -18,10 +15,12 @@ export function evaluate(engine, files, { protocol, self = false, progress = () 
   const reports = [];
   grouping.models.forEach((group, index) => {
     progress(`${index + 1} of ${grouping.models.length}: ${group.name}`);
-    const inputs = readInputs(group.files, byPath, diagnostics);
-    scoreModel(engine, group.name, withSelf(inputs, self), protocol, reports, diagnostics);
+    const wanted = group.files.filter(({ method }) => !self || method === undefined);
+    const inputs = readInputs(wanted, byPath, diagnostics);
+    const scored = scoreModel(engine.Model.read(group.name, inputs), { protocol, self });
+    reports.push(...scored.reports);
+    diagnostics.push(...scored.diagnostics);
   });
-  // The engine orders the models; within one, the methods.
   return { reports, diagnostics };
 }
 
@@ -37,38 +36,25 @@ function readInputs(files, byPath, diagnostics) {
   return inputs;
 }
 
-/** The truth once more, as a submission. */
-function withSelf(inputs, self) {
-  const truth = inputs.filter(({ role, method }) => self && role !== "cloud" && !method);
-  return [...inputs, ...truth.map((input) => ({ ...input, method: TRUTH_AS_METHOD }))];
-}
-
-function scoreModel(engine, name, inputs, protocol, reports, diagnostics) {
-  const model = engine.Model.read(name, inputs);
+function scoreModel(model, { protocol, self }) {
   try {
-    const info = model.info();
-    diagnostics.push(...info.diagnostics);
-    const where = inputs[0]?.path ?? name;
-    if (info.methods.length === 0) {
-      diagnostics.push(
-        unusable(
-          where,
-          `${name} has no submission`,
-          "Give a method's files in a folder named after it (pointCloud_primitives_MINE), or score the truth itself with --self",
-          "note",
-        ),
-      );
-      return;
+    const { name, hasTruth, methods, diagnostics } = model.info();
+    const about = (message, hint, severity) => unusable(name, message, hint, severity);
+    if (!hasTruth) {
+      const hint = `Give ${name}_primitives.txt of the benchmark as well`;
+      const missing = about("there is no ground truth to score against", hint);
+      return { reports: [], diagnostics: [...diagnostics, missing] };
     }
-    if (!info.hasTruth) {
-      diagnostics.push(
-        unusable(where, `${name} has no ground truth to score against`, `Give ${name}_primitives.txt of the benchmark as well`),
-      );
-      return;
+    if (!self && methods.length === 0) {
+      const hint =
+        "Give a method's files in a folder named after it (pointCloud_primitives_MINE), " +
+        "or score the truth against itself with --self";
+      const missing = about("there is no submission to score", hint, "note");
+      return { reports: [], diagnostics: [...diagnostics, missing] };
     }
-    for (const method of info.methods) {
-      reports.push(model.score(method, protocol));
-    }
+    // No method: the truth itself.
+    const submissions = self ? [undefined] : methods;
+    return { reports: submissions.map((method) => model.score(method, protocol)), diagnostics };
   } finally {
     model.free();
   }

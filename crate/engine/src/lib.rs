@@ -1,9 +1,37 @@
 //! The engine as JavaScript sees it: a thin wasm-bindgen boundary over [`fit4cad`].
+//!
+//! Points cross as typed arrays, everything else as small plain objects whose TypeScript types are
+//! generated from the Rust ones. Nothing is computed here: each function reads its arguments, calls
+//! the engine and hands the result over. Failures are JavaScript errors with a clear text.
 
+mod diagnostic;
+mod input;
+mod lists;
+mod model;
+mod primitive;
+mod report;
+mod stop;
+
+pub use diagnostic::{DiagnosticInfo, Severity};
+pub use input::{InputFile, Role};
+pub use lists::PointLists;
+pub use model::{BoundsInfo, Model, ModelInfo};
+pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
+pub use report::{
+    Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
+};
+
+use tsify::{Ts, Tsify};
+use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Version of the engine.
 #[wasm_bindgen]
 pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// Hands a plain value to JavaScript.
+fn hand_over<T: Tsify + serde::Serialize>(value: &T) -> Result<Ts<T>, JsError> {
+    value.into_ts().map_err(JsError::from)
 }

@@ -1,0 +1,235 @@
+//! A model that lives in wasm memory and is asked about from JavaScript.
+
+use std::collections::BTreeMap;
+
+use fit4cad::cloud::Point;
+use fit4cad::diagnostics::Diagnostic;
+use fit4cad::format::{SourceFile, read_model};
+use fit4cad::metrics;
+use fit4cad::model::{self, Segmentation};
+use js_sys::{Float32Array, Float64Array};
+use serde::Serialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::JsError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::diagnostic::DiagnosticInfo;
+use crate::hand_over;
+use crate::input::InputFile;
+use crate::lists::PointLists;
+use crate::primitive::PrimitiveInfo;
+use crate::report::{Protocol, Report};
+
+/// The axis-aligned box of a cloud, in the coordinates of its file.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
+pub struct BoundsInfo {
+    /// Smallest coordinates.
+    pub min: [f64; 3],
+    /// Largest coordinates.
+    pub max: [f64; 3],
+}
+
+/// What a model holds.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct ModelInfo {
+    /// Its name, e.g. `PC14`.
+    pub name: String,
+    /// Number of points.
+    pub points: u32,
+    /// The box of the points; absent without points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[tsify(optional)]
+    pub bounds: Option<BoundsInfo>,
+    /// Whether the ground truth is there.
+    pub has_truth: bool,
+    /// The methods that have a submission.
+    pub methods: Vec<String>,
+    /// What is wrong with its files.
+    pub diagnostics: Vec<DiagnosticInfo>,
+}
+
+/// One point cloud with its truth and its submissions. Release it with `free()`.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct Model {
+    model: model::Model,
+    diagnostics: Vec<Diagnostic>,
+    /// The method each submitted file belongs to, by path.
+    method_of_file: BTreeMap<String, String>,
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Reads a model from its files. Whatever is wrong with their content is among the diagnostics.
+    ///
+    /// # Errors
+    /// Only if the arguments are not of the declared types.
+    pub fn read(name: &str, files: Vec<Ts<InputFile>>) -> Result<Model, JsError> {
+        let files = files
+            .iter()
+            .map(Ts::to_rust)
+            .collect::<Result<Vec<InputFile>, _>>()?;
+        let contents: Vec<Vec<u8>> = files.iter().map(|file| file.bytes.to_vec()).collect();
+        let sources: Vec<SourceFile<'_>> = files
+            .iter()
+            .zip(&contents)
+            .map(|(file, bytes)| SourceFile {
+                path: &file.path,
+                role: file.role.into(),
+                method: file.method.as_deref(),
+                bytes,
+            })
+            .collect();
+        let (model, diagnostics) = read_model(name, &sources);
+        let submitted = files
+            .into_iter()
+            .filter_map(|file| file.method.map(|method| (file.path, method)));
+        Ok(Self {
+            model,
+            diagnostics,
+            method_of_file: submitted.collect(),
+        })
+    }
+
+    /// What the model holds.
+    ///
+    /// # Errors
+    /// None in practice: plain values always cross.
+    pub fn info(&self) -> Result<Ts<ModelInfo>, JsError> {
+        let bounds = self.model.cloud.bounds();
+        let corner = |point: Point| [point.x, point.y, point.z];
+        hand_over(&ModelInfo {
+            name: self.model.name.clone(),
+            points: self.model.cloud.len() as u32,
+            bounds: (!bounds.is_empty()).then(|| BoundsInfo {
+                min: corner(bounds.min),
+                max: corner(bounds.max),
+            }),
+            has_truth: self.model.truth.is_some(),
+            methods: self.methods().map(str::to_owned).collect(),
+            diagnostics: self.diagnostics.iter().map(DiagnosticInfo::from).collect(),
+        })
+    }
+
+    /// The points relative to [`Model::centre`], x y z after one another.
+    pub fn positions(&self) -> Float32Array {
+        let centre = self.model.cloud.bounds().centre();
+        let points = self.model.cloud.points().iter();
+        let relative: Vec<f32> = points
+            .flat_map(|point| {
+                let offset = point - centre;
+                [offset.x as f32, offset.y as f32, offset.z as f32]
+            })
+            .collect();
+        Float32Array::from(relative.as_slice())
+    }
+
+    /// The middle of the cloud's box, in the coordinates of the file.
+    pub fn centre(&self) -> Float64Array {
+        let centre = self.model.cloud.bounds().centre();
+        Float64Array::from([centre.x, centre.y, centre.z].as_slice())
+    }
+
+    /// The primitives of a method, or of the truth, in the order of their file.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    pub fn primitives(&self, method: Option<String>) -> Result<Vec<Ts<PrimitiveInfo>>, JsError> {
+        let primitives = self.segmentation(method.as_deref())?.primitives.iter();
+        primitives
+            .map(|primitive| hand_over(&PrimitiveInfo::from(primitive)))
+            .collect()
+    }
+
+    /// The points that each primitive of a method, or of the truth, lists.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    pub fn members(&self, method: Option<String>) -> Result<Ts<PointLists>, JsError> {
+        hand_over(&PointLists::from(self.segmentation(method.as_deref())?))
+    }
+
+    /// Distance of each listed point to its primitive's surface, in the order of
+    /// [`PointLists::indices`]; NaN where the primitive has no surface.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    pub fn distances(&self, method: Option<String>) -> Result<Float32Array, JsError> {
+        let points = self.model.cloud.points();
+        let mut distances = Vec::new();
+        for primitive in &self.segmentation(method.as_deref())?.primitives {
+            distances.extend(primitive.points.iter().map(|&index| {
+                let point = points.get(index as usize);
+                let distance = primitive.surface.zip(point);
+                distance.map_or(f32::NAN, |(surface, point)| surface.distance(point) as f32)
+            }));
+        }
+        Ok(Float32Array::from(distances.as_slice()))
+    }
+
+    /// Scores the submission of a method, or the truth against itself as method `truth`.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    pub fn score(
+        &self,
+        method: Option<String>,
+        protocol: Ts<Protocol>,
+    ) -> Result<Ts<Report>, JsError> {
+        let protocol = protocol.to_rust()?;
+        let truth = self.segmentation(None)?;
+        let prediction = self.segmentation(method.as_deref())?;
+        let report = metrics::evaluate(&self.model.cloud, truth, prediction, protocol.into());
+        hand_over(&Report::new(
+            &self.model.name,
+            method.as_deref().unwrap_or("truth"),
+            protocol,
+            &report,
+            self.diagnostics_for(method.as_deref()),
+        ))
+    }
+}
+
+impl Model {
+    fn methods(&self) -> impl Iterator<Item = &str> {
+        let submissions = self.model.submissions.iter();
+        submissions.map(|submission| submission.method.as_str())
+    }
+
+    fn segmentation(&self, method: Option<&str>) -> Result<&Segmentation, JsError> {
+        let name = &self.model.name;
+        let Some(method) = method else {
+            let truth = self.model.truth.as_ref();
+            return truth.ok_or_else(|| JsError::new(&format!("{name} has no ground truth")));
+        };
+        let mut submissions = self.model.submissions.iter();
+        submissions
+            .find(|submission| submission.method == method)
+            .map(|submission| &submission.segmentation)
+            .ok_or_else(|| {
+                let there: Vec<&str> = self.methods().collect();
+                JsError::new(&format!(
+                    "{name} has no submission of `{method}`; there is {}",
+                    if there.is_empty() {
+                        "none at all".to_owned()
+                    } else {
+                        there.join(", ")
+                    }
+                ))
+            })
+    }
+
+    /// The findings that bear on the score of one method, or of the truth itself: not those about
+    /// files of other methods.
+    fn diagnostics_for(&self, method: Option<&str>) -> Vec<DiagnosticInfo> {
+        self.diagnostics
+            .iter()
+            .filter(|diagnostic| {
+                let owner = self.method_of_file.get(&diagnostic.file);
+                owner.is_none_or(|owner| method == Some(owner.as_str()))
+            })
+            .map(DiagnosticInfo::from)
+            .collect()
+    }
+}

@@ -1,0 +1,278 @@
+//! A score as a plain object: the JSON of the command line.
+
+use fit4cad::{metrics, surface};
+use serde::{Deserialize, Serialize};
+use tsify::Tsify;
+
+use crate::diagnostic::DiagnosticInfo;
+use crate::primitive::SurfaceType;
+
+/// Which rules apply.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "lowercase")]
+pub enum Protocol {
+    /// The formulas of the paper, computed exactly.
+    Definition,
+    /// What the authors' evaluation scripts do.
+    Published,
+}
+
+impl From<Protocol> for metrics::Protocol {
+    fn from(protocol: Protocol) -> Self {
+        match protocol {
+            Protocol::Definition => Self::Definition,
+            Protocol::Published => Self::Published,
+        }
+    }
+}
+
+/// The nine measures; `null` where one cannot be had.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
+#[serde(rename_all = "UPPERCASE")]
+#[allow(missing_docs, reason = "each is said in `fit4cad::metrics::Measure`")]
+pub struct Measures {
+    pub dsc: Option<f64>,
+    pub ppv: Option<f64>,
+    pub tpr: Option<f64>,
+    pub tnr: Option<f64>,
+    pub npv: Option<f64>,
+    pub acc: Option<f64>,
+    pub mfe: Option<f64>,
+    #[serde(rename = "dHaus")]
+    pub d_haus: Option<f64>,
+    #[serde(rename = "d1")]
+    pub d1: Option<f64>,
+}
+
+impl From<&metrics::Measures> for Measures {
+    fn from(measures: &metrics::Measures) -> Self {
+        Self {
+            dsc: measures.dsc,
+            ppv: measures.ppv,
+            tpr: measures.tpr,
+            tnr: measures.tnr,
+            npv: measures.npv,
+            acc: measures.acc,
+            mfe: measures.mfe,
+            d_haus: measures.d_haus,
+            d1: measures.d1,
+        }
+    }
+}
+
+/// How one true primitive was recognised.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct TruthReport {
+    /// Its number.
+    pub truth: u32,
+    /// Number of the prediction that shares most points with it.
+    #[serde(rename = "match")]
+    pub matched: Option<u32>,
+    /// Its type, where it is one of the five.
+    #[serde(rename = "type")]
+    pub kind: Option<SurfaceType>,
+    /// How many points it lists.
+    pub size: u32,
+    /// Classification of its points, and the fit of its match; d1 only where the match's own most
+    /// overlapping primitive is this one, as d1 compares those two.
+    #[serde(flatten)]
+    pub measures: Measures,
+}
+
+/// How well one predicted primitive fits.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct PredictionReport {
+    /// Its number.
+    pub prediction: u32,
+    /// Number of the true primitive with which it shares most points.
+    #[serde(rename = "match")]
+    pub matched: Option<u32>,
+    /// Its type, where it is one of the five.
+    #[serde(rename = "type")]
+    pub kind: Option<SurfaceType>,
+    /// How many points it lists.
+    pub size: u32,
+    /// DSC with that true primitive; 0 where there is none.
+    #[serde(rename = "DSC")]
+    pub dsc: Option<f64>,
+    /// Mean fitting error.
+    #[serde(rename = "MFE")]
+    pub mfe: Option<f64>,
+    /// Directed Hausdorff distance.
+    #[serde(rename = "dHaus")]
+    pub d_haus: Option<f64>,
+    /// Coefficient distance.
+    pub d1: Option<f64>,
+    /// Whether its type is another than that of the true primitive.
+    pub type_error: bool,
+}
+
+/// Types of true primitives against types of their matches.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
+pub struct TypeConfusion {
+    /// Names of the rows: the five types, then `Other`.
+    pub truth: Vec<&'static str>,
+    /// Names of the columns: the five types, then `Other`, then `Missed`.
+    #[serde(rename = "match")]
+    pub matched: Vec<&'static str>,
+    /// Number of true primitives, by row and column.
+    pub counts: Vec<Vec<u32>>,
+}
+
+/// What the paper's measures hide. Primitives are given by their numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct Hidden {
+    /// True primitives that share no point with any prediction.
+    pub missed: Vec<u32>,
+    /// True primitives whose match serves another one as well.
+    pub merged: Vec<u32>,
+    /// Predictions that are the match of no true primitive.
+    pub spurious: Vec<u32>,
+    /// Mean DSC from the predictions' side.
+    pub prediction_dsc: Option<f64>,
+    /// Types of true primitives against types of their matches.
+    pub types: TypeConfusion,
+    /// Share of the points that some prediction lists.
+    pub labelled: Option<f64>,
+    /// Share of the points that some true primitive lists.
+    pub truth_labelled: Option<f64>,
+}
+
+/// The score of one submission on one model.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+// A flattened struct is written as a map, which is to be a plain object too.
+#[tsify(missing_as_null, hashmap_as_object)]
+pub struct Report {
+    /// Name of the model.
+    pub model: String,
+    /// Name of the method.
+    pub method: String,
+    /// The rules that were applied.
+    pub protocol: Protocol,
+    /// Number of points of the cloud.
+    pub points: u32,
+    /// Number of true primitives.
+    pub truth: u32,
+    /// Number of predicted primitives.
+    pub predicted: u32,
+    /// The measures of the whole submission.
+    pub mean: Measures,
+    /// Predictions whose type is another than their true primitive's.
+    pub type_errors: u32,
+    /// One row per true primitive.
+    pub primitives: Vec<TruthReport>,
+    /// One row per predicted primitive.
+    pub predictions: Vec<PredictionReport>,
+    /// What the paper's measures hide.
+    pub hidden: Hidden,
+    /// Findings about the cloud, the truth and this submission.
+    pub diagnostics: Vec<DiagnosticInfo>,
+}
+
+impl Report {
+    /// Puts names in the place of positions.
+    pub(crate) fn new(
+        model: &str,
+        method: &str,
+        protocol: Protocol,
+        report: &metrics::Report,
+        diagnostics: Vec<DiagnosticInfo>,
+    ) -> Self {
+        Self {
+            model: model.to_owned(),
+            method: method.to_owned(),
+            protocol,
+            points: report.points as u32,
+            truth: report.truth as u32,
+            predicted: report.predicted as u32,
+            mean: Measures::from(&report.mean),
+            type_errors: report.type_errors as u32,
+            primitives: truth_rows(report),
+            predictions: prediction_rows(report),
+            hidden: hidden(report),
+            diagnostics,
+        }
+    }
+}
+
+fn truth_rows(report: &metrics::Report) -> Vec<TruthReport> {
+    let rows = report.primitives.iter().enumerate();
+    rows.map(|(index, row)| {
+        let matched = row.matched.and_then(|place| report.predictions.get(place));
+        let classification = row.classification;
+        TruthReport {
+            truth: row.number,
+            matched: matched.map(|prediction| prediction.number),
+            kind: row.kind.map(SurfaceType::from),
+            size: row.size as u32,
+            measures: Measures {
+                dsc: classification.dsc,
+                ppv: classification.ppv,
+                tpr: classification.tpr,
+                tnr: classification.tnr,
+                npv: classification.npv,
+                acc: classification.acc,
+                mfe: matched.and_then(|prediction| prediction.mfe),
+                d_haus: matched.and_then(|prediction| prediction.d_haus),
+                d1: matched
+                    .filter(|prediction| prediction.matched == Some(index))
+                    .and_then(|prediction| prediction.d1),
+            },
+        }
+    })
+    .collect()
+}
+
+fn prediction_rows(report: &metrics::Report) -> Vec<PredictionReport> {
+    let rows = report.predictions.iter();
+    rows.map(|row| PredictionReport {
+        prediction: row.number,
+        matched: row
+            .matched
+            .and_then(|place| report.primitives.get(place))
+            .map(|primitive| primitive.number),
+        kind: row.kind.map(SurfaceType::from),
+        size: row.size as u32,
+        dsc: row.dsc,
+        mfe: row.mfe,
+        d_haus: row.d_haus,
+        d1: row.d1,
+        type_error: row.type_error,
+    })
+    .collect()
+}
+
+fn hidden(report: &metrics::Report) -> Hidden {
+    let truth = |places: &[usize]| {
+        let rows = places.iter().filter_map(|&at| report.primitives.get(at));
+        rows.map(|row| row.number).collect()
+    };
+    let predictions = |places: &[usize]| {
+        let rows = places.iter().filter_map(|&at| report.predictions.get(at));
+        rows.map(|row| row.number).collect()
+    };
+    let hidden = &report.hidden;
+    Hidden {
+        missed: truth(&hidden.missed),
+        merged: truth(&hidden.merged),
+        spurious: predictions(&hidden.spurious),
+        prediction_dsc: hidden.prediction_dsc,
+        types: TypeConfusion {
+            truth: names(&["Other"]),
+            matched: names(&["Other", "Missed"]),
+            counts: hidden.types.table().map(Vec::from).to_vec(),
+        },
+        labelled: hidden.labelled,
+        truth_labelled: hidden.truth_labelled,
+    }
+}
+
+/// The five types, then what stands beside them.
+fn names(others: &[&'static str]) -> Vec<&'static str> {
+    let types = surface::SurfaceType::ALL.map(surface::SurfaceType::name);
+    types.into_iter().chain(others.iter().copied()).collect()
+}
