@@ -1,0 +1,231 @@
+//! What the path of one file says about it.
+
+use super::Override;
+use crate::format::Role;
+
+/// What is known of a file from its path, or from what the caller said about it.
+#[derive(Debug, Clone)]
+pub(super) struct Clue<'a> {
+    /// The path as it was given.
+    pub(super) path: &'a str,
+    /// The folders that hold its set: those above its role folder, or all of them.
+    pub(super) base: Vec<&'a str>,
+    /// Name of the model, as the file spells it.
+    pub(super) stem: String,
+    pub(super) role: Role,
+    /// The method, where path or caller name one.
+    pub(super) method: Option<String>,
+    /// Whether the caller says that it is ground truth.
+    pub(super) is_truth: bool,
+    /// Whether it lies in a folder for its role, like `pointCloud_primitives`.
+    pub(super) in_role_folder: bool,
+    /// The model the caller names for it, in lower case.
+    pub(super) model: Option<String>,
+}
+
+/// What becomes of a path.
+#[derive(Debug)]
+pub(super) enum Sorted<'a> {
+    File(Clue<'a>),
+    /// Left by an operating system.
+    Litter,
+    /// A folder's own entry in an archive.
+    Folder,
+    Unknown(&'static str),
+}
+
+/// Texts that come with data sets and are no clouds.
+const OTHER_TEXTS: [&str; 9] = [
+    "readme",
+    "license",
+    "licence",
+    "copying",
+    "changelog",
+    "citation",
+    "requirements",
+    "cmakelists",
+    "notes",
+];
+
+/// Judges a path. Folders are separated by `/` or `\`.
+pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
+    let mut folders: Vec<&str> = path
+        .split(['/', '\\'])
+        .filter(|part| !part.is_empty() && *part != ".")
+        .collect();
+    if path.ends_with(['/', '\\']) {
+        return Sorted::Folder;
+    }
+    let Some(name) = folders.pop() else {
+        return Sorted::Folder;
+    };
+    if is_litter(name)
+        || folders
+            .iter()
+            .any(|folder| *folder == "__MACOSX" || *folder == ".git")
+    {
+        return Sorted::Litter;
+    }
+    let said_role = said.and_then(|said| said.role);
+    let Some(stem) = strip_txt(name).or(said_role.map(|_| name)) else {
+        return Sorted::Unknown(match name.rsplit_once('.') {
+            Some((_, "zip" | "gz" | "7z" | "rar" | "tar")) => "an archive within; unpack it first",
+            _ => "not a .txt file",
+        });
+    };
+    let FileName {
+        stem,
+        mut role,
+        mut method,
+    } = FileName::read(stem);
+    let mut in_role_folder = false;
+    for (depth, folder) in folders.iter().enumerate().rev() {
+        let Some(found) = role_folder(folder) else {
+            continue;
+        };
+        if role.is_some_and(|role| role != found.role) {
+            continue;
+        }
+        in_role_folder = true;
+        role = Some(found.role);
+        method = method.or(found.method.map(str::to_owned));
+        folders.truncate(depth);
+        break;
+    }
+    if role.is_none()
+        && said_role.is_none()
+        && OTHER_TEXTS
+            .iter()
+            .any(|other| stem.eq_ignore_ascii_case(other))
+    {
+        return Sorted::Unknown("its name is not that of a model's file");
+    }
+    let mut clue = Clue {
+        path,
+        base: folders,
+        stem,
+        role: said_role.or(role).unwrap_or(Role::Cloud),
+        method: method.filter(|method| !names_truth(method)),
+        is_truth: false,
+        in_role_folder,
+        model: None,
+    };
+    if let Some(said) = said {
+        clue.heed(said);
+    }
+    Sorted::File(clue)
+}
+
+impl Clue<'_> {
+    fn heed(&mut self, said: &Override) {
+        if let Some(model) = said.model.as_deref().filter(|model| !model.is_empty()) {
+            let name = model.rsplit('/').next().unwrap_or(model);
+            self.stem = name.to_owned();
+            self.model = Some(model.to_lowercase());
+        }
+        match said.method.as_deref() {
+            None => {}
+            Some("") => {
+                self.method = None;
+                self.is_truth = true;
+            }
+            Some(method) => self.method = Some(method.to_owned()),
+        }
+    }
+}
+
+fn is_litter(name: &str) -> bool {
+    name.starts_with('.')
+        || ["Icon\r", "Icon", "Thumbs.db", "desktop.ini"]
+            .iter()
+            .any(|litter| name.eq_ignore_ascii_case(litter))
+}
+
+fn strip_txt(name: &str) -> Option<&str> {
+    let dot = name.len().checked_sub(4)?;
+    name.get(dot..)?
+        .eq_ignore_ascii_case(".txt")
+        .then(|| name.get(..dot))?
+}
+
+/// Whether a folder or method name means the ground truth.
+pub(super) fn names_truth(name: &str) -> bool {
+    let letters: String = name
+        .chars()
+        .filter(char::is_ascii_alphabetic)
+        .collect::<String>()
+        .to_ascii_lowercase();
+    matches!(letters.as_str(), "truth" | "groundtruth" | "gt")
+}
+
+/// The parts of a file's name: `PC1.txt`, `PC1_primitives.txt`, `PC1_primitives_HT.txt`.
+struct FileName {
+    stem: String,
+    role: Option<Role>,
+    method: Option<String>,
+}
+
+impl FileName {
+    fn read(name: &str) -> Self {
+        let mut end = name.len();
+        // From the right: the last word that names a role divides the name.
+        while let Some(start) = name.get(..end).and_then(|head| head.rfind(['_', '-'])) {
+            let word = name.get(start + 1..end).unwrap_or_default();
+            if let Some(role) = role_word(word).filter(|_| start > 0) {
+                return Self {
+                    stem: name.get(..start).unwrap_or_default().to_owned(),
+                    role: Some(role),
+                    method: name
+                        .get(end + 1..)
+                        .filter(|rest| !rest.is_empty())
+                        .map(str::to_owned),
+                };
+            }
+            end = start;
+        }
+        Self {
+            stem: name.to_owned(),
+            role: None,
+            method: None,
+        }
+    }
+}
+
+fn role_word(word: &str) -> Option<Role> {
+    match word.to_ascii_lowercase().as_str() {
+        "primitives" | "primitive" => Some(Role::Primitives),
+        "parametric" => Some(Role::Parametric),
+        "implicit" => Some(Role::Implicit),
+        _ => None,
+    }
+}
+
+struct RoleFolder<'a> {
+    role: Role,
+    method: Option<&'a str>,
+}
+
+/// Reads `pointCloud`, `pointCloud_primitives`, `pointCloud_primitives_HT`, `primitives`,
+/// `primitives_HT` in any case.
+fn role_folder(name: &str) -> Option<RoleFolder<'_>> {
+    let is = |word: &str| name.eq_ignore_ascii_case(word);
+    if is("pointCloud") || is("pointClouds") || is("point_cloud") || is("clouds") || is("points") {
+        return Some(RoleFolder {
+            role: Role::Cloud,
+            method: None,
+        });
+    }
+    const PREFIX: &str = "pointcloud_";
+    let rest = match name.get(..PREFIX.len()) {
+        Some(prefix) if prefix.eq_ignore_ascii_case(PREFIX) => name.get(PREFIX.len()..)?,
+        _ => name,
+    };
+    let (word, method) = match rest.split_once('_') {
+        Some((word, method)) => (word, Some(method).filter(|method| !method.is_empty())),
+        None => (rest, None),
+    };
+    Some(RoleFolder {
+        role: role_word(word)?,
+        method,
+    })
+}

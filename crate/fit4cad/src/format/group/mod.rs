@@ -1,0 +1,111 @@
+//! From a heap of paths to models: which file is what, of which model, by which method.
+
+mod clue;
+mod naming;
+mod natural;
+mod placing;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use clue::Sorted;
+
+use super::Role;
+
+/// What a caller knows better about one file.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Override {
+    /// What it holds.
+    pub role: Option<Role>,
+    /// Which model it belongs to: a name as [`ModelFiles::name`] gives it.
+    pub model: Option<String>,
+    /// Whose result it is; empty for ground truth.
+    pub method: Option<String>,
+}
+
+/// Files sorted into models.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Grouping {
+    /// The models in the order people count: PC2 before PC10.
+    pub models: Vec<ModelFiles>,
+    /// Files that belong to no model as far as can be told, in the order of their paths.
+    pub unplaced: Vec<Unplaced>,
+    /// How many files were passed over as litter (`.DS_Store`, `Icon\r`, `__MACOSX`, …).
+    pub ignored: usize,
+}
+
+/// The files of one model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ModelFiles {
+    /// Unique among the models: `PC1`, or `training_set/PC1` where two sets have one.
+    pub name: String,
+    /// The number its name ends with.
+    pub number: Option<u32>,
+    /// The cloud, then the ground truth, then the methods' files in the order of their names.
+    pub files: Vec<PlacedFile>,
+}
+
+/// A file and what it is for its model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlacedFile {
+    /// The path as it was given.
+    pub path: String,
+    /// What it holds.
+    pub role: Role,
+    /// Whose result it is; `None` for the cloud and the ground truth.
+    pub method: Option<String>,
+}
+
+/// A file without a place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unplaced {
+    /// The path as it was given.
+    pub path: String,
+    /// Why it has none, and what would give it one.
+    pub reason: String,
+}
+
+/// Sorts files into models by their paths alone.
+///
+/// Knows the layouts of the benchmark: all files of a set in one folder, or one folder per role
+/// (`pointCloud`, `pointCloud_primitives`, …) and per role and method (`pointCloud_primitives_HT`),
+/// nested in whatever folders an archive adds, in any case. A file beside its cloud is ground
+/// truth; one in a folder of its own is the result of a method named after that folder. Models of
+/// the same name in different sets are kept apart. The result does not depend on the order of the
+/// paths. O(n log n) for n paths of bounded depth.
+pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>) -> Grouping {
+    let mut paths: Vec<&str> = paths.iter().map(AsRef::as_ref).collect();
+    paths.sort_by(|a, b| natural::compare(a, b));
+    let mut grouping = Grouping::default();
+    let mut seen = BTreeSet::new();
+    let mut clues = Vec::new();
+    for path in paths {
+        if !seen.insert(path) {
+            grouping.reject(path, "the same path was given twice".to_owned());
+            continue;
+        }
+        match clue::sort(path, overrides.get(path)) {
+            Sorted::File(clue) => clues.push(clue),
+            Sorted::Litter => grouping.ignored += 1,
+            Sorted::Folder => {}
+            Sorted::Unknown(reason) => grouping.reject(path, reason.to_owned()),
+        }
+    }
+    let models = placing::place(clues, &mut grouping);
+    grouping.models = naming::name(models);
+    grouping
+        .unplaced
+        .sort_by(|a, b| natural::compare(&a.path, &b.path));
+    grouping
+}
+
+impl Grouping {
+    fn reject(&mut self, path: &str, reason: String) {
+        self.unplaced.push(Unplaced {
+            path: path.to_owned(),
+            reason,
+        });
+    }
+}

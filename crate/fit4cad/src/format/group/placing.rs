@@ -1,0 +1,253 @@
+//! Finding each file its model and its method.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Grouping;
+use super::clue::{Clue, names_truth};
+use crate::format::Role;
+
+/// A model while files are being found for it.
+#[derive(Debug)]
+pub(super) struct Draft<'a> {
+    pub(super) cloud: Clue<'a>,
+    /// By whose they are and role; truth sorts first.
+    pub(super) files: BTreeMap<(Owner<'a>, Role), &'a str>,
+}
+
+/// Whose a file is.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Owner<'a> {
+    Truth,
+    /// A method: its name and the folders it was found in, for two of the same name.
+    Method {
+        name: String,
+        base: Vec<&'a str>,
+    },
+}
+
+/// Clouds of one name among which the one a file belongs to is looked for. Looking through more
+/// for each of as many files would take time that grows with the square.
+const MAX_NAMESAKES: usize = 256;
+
+/// Name of a method whose files give it none.
+const NAMELESS: &str = "submission";
+
+/// Gives each file a place in a model, or a reason why it has none.
+pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Draft<'a>> {
+    let (clouds, others): (Vec<_>, Vec<_>) =
+        clues.into_iter().partition(|clue| clue.role == Role::Cloud);
+    let mut shelf = Shelf::default();
+    for cloud in clouds {
+        shelf.add_cloud(cloud, grouping);
+    }
+    // Bases whose role folders name methods: there, folders that name none hold the truth.
+    let bases_of_methods: BTreeSet<Vec<&str>> = others
+        .iter()
+        .filter(|clue| clue.in_role_folder && clue.method.is_some())
+        .map(|clue| clue.base.clone())
+        .collect();
+    let mut at_home = Vec::new();
+    let mut strangers = Vec::new();
+    for mut clue in others {
+        match shelf.find(&mut clue) {
+            Ok(model) if shelf.is_home(model, &clue) => at_home.push((model, clue)),
+            Ok(model) => strangers.push((model, clue)),
+            Err(reason) => grouping.reject(clue.path, reason),
+        }
+    }
+    // Truth beside its cloud comes before what may be a copy of it.
+    for (model, clue) in at_home {
+        let owner = match &clue.method {
+            Some(name) => Owner::method(name.clone(), &clue),
+            None => Owner::Truth,
+        };
+        shelf.put(model, owner, &clue, grouping);
+    }
+    let with_truth: Vec<bool> = shelf.models.iter().map(Draft::has_truth).collect();
+    for (model, clue) in strangers {
+        let holds_truth = clue.in_role_folder && bases_of_methods.contains(&clue.base);
+        let has_truth = with_truth.get(model).copied().unwrap_or(false);
+        let owner = shelf.owner_from_elsewhere(model, &clue, holds_truth, has_truth);
+        shelf.put(model, owner, &clue, grouping);
+    }
+    shelf.models
+}
+
+impl Draft<'_> {
+    fn has_truth(&self) -> bool {
+        self.files.keys().any(|(owner, _)| *owner == Owner::Truth)
+    }
+}
+
+impl<'a> Owner<'a> {
+    fn method(name: String, clue: &Clue<'a>) -> Self {
+        Self::Method {
+            name,
+            base: clue.base.clone(),
+        }
+    }
+}
+
+#[derive(Default)]
+struct Shelf<'a> {
+    models: Vec<Draft<'a>>,
+    /// Models by their name in lower case.
+    by_stem: BTreeMap<String, Vec<usize>>,
+    /// Models by their name in lower case and the folders of their set.
+    at_home: BTreeMap<(String, Vec<&'a str>), usize>,
+}
+
+impl<'a> Shelf<'a> {
+    fn add_cloud(&mut self, cloud: Clue<'a>, grouping: &mut Grouping) {
+        let stem = cloud.stem.to_lowercase();
+        let key = (stem.clone(), cloud.base.clone());
+        if let Some(twin) = self
+            .at_home
+            .get(&key)
+            .and_then(|&model| self.models.get(model))
+        {
+            let reason = format!(
+                "{} already is the cloud {}",
+                twin.cloud.path, twin.cloud.stem
+            );
+            grouping.reject(cloud.path, reason);
+            return;
+        }
+        self.at_home.insert(key, self.models.len());
+        self.by_stem
+            .entry(stem)
+            .or_default()
+            .push(self.models.len());
+        self.models.push(Draft {
+            cloud,
+            files: BTreeMap::new(),
+        });
+    }
+
+    /// The model a file belongs to; `PC1_HT_primitives.txt` is split into model and method if
+    /// there is no model `PC1_HT`.
+    fn find(&self, clue: &mut Clue<'a>) -> Result<usize, String> {
+        if let Some(models) = self.by_stem.get(&clue.stem.to_lowercase()) {
+            return self.nearest(models, clue);
+        }
+        if let Some((stem, method)) = clue.stem.split_once(['_', '-'])
+            && let Some(models) = self.by_stem.get(&stem.to_lowercase())
+        {
+            let method = method.to_owned();
+            clue.stem = stem.to_owned();
+            if !clue.is_truth && !names_truth(&method) {
+                clue.method.get_or_insert(method);
+            }
+            return self.nearest(models, clue);
+        }
+        Err(format!("there is no cloud {}.txt for it", clue.stem))
+    }
+
+    /// Of models of the same name, the one in the same folder, else the one with most folders in
+    /// common, else the one laid out alike.
+    fn nearest(&self, models: &[usize], clue: &Clue<'a>) -> Result<usize, String> {
+        let key = (clue.stem.to_lowercase(), clue.base.clone());
+        if let (Some(&model), None) = (self.at_home.get(&key), &clue.model) {
+            return Ok(model);
+        }
+        if models.len() > MAX_NAMESAKES {
+            return Err(format!(
+                "more than {MAX_NAMESAKES} clouds are called {}",
+                clue.stem
+            ));
+        }
+        let rank = |model: usize| {
+            let cloud = &self.models.get(model)?.cloud;
+            let named = clue.model.as_ref().is_some_and(|name| {
+                let path = format!("/{}/{}", cloud.base.join("/"), cloud.stem).to_lowercase();
+                path.ends_with(&format!("/{name}"))
+            });
+            let common = cloud
+                .base
+                .iter()
+                .filter(|folder| {
+                    clue.base
+                        .iter()
+                        .any(|other| other.eq_ignore_ascii_case(folder))
+                })
+                .count();
+            let alike = clue.in_role_folder && cloud.in_role_folder;
+            Some((named, cloud.base == clue.base, common, alike))
+        };
+        let mut best: Vec<usize> = Vec::new();
+        for &model in models {
+            let against = best.first().and_then(|&first| rank(first));
+            match rank(model).cmp(&against) {
+                std::cmp::Ordering::Greater => best = vec![model],
+                std::cmp::Ordering::Equal => best.push(model),
+                std::cmp::Ordering::Less => {}
+            }
+        }
+        match best[..] {
+            [model] => Ok(model),
+            _ => {
+                let paths: Vec<&str> = best
+                    .iter()
+                    .filter_map(|&model| self.models.get(model))
+                    .map(|model| model.cloud.path)
+                    .collect();
+                Err(format!(
+                    "it is unclear to which cloud it belongs: {}",
+                    paths.join(" or ")
+                ))
+            }
+        }
+    }
+
+    fn is_home(&self, model: usize, clue: &Clue<'a>) -> bool {
+        self.models
+            .get(model)
+            .is_some_and(|model| model.cloud.base == clue.base)
+    }
+
+    /// Whose a file is that does not lie with its cloud.
+    fn owner_from_elsewhere(
+        &self,
+        model: usize,
+        clue: &Clue<'a>,
+        holds_truth: bool,
+        has_truth: bool,
+    ) -> Owner<'a> {
+        if let Some(method) = &clue.method {
+            return Owner::method(method.clone(), clue);
+        }
+        if clue.is_truth || holds_truth {
+            return Owner::Truth;
+        }
+        let home = self
+            .models
+            .get(model)
+            .map_or(&[][..], |model| &model.cloud.base[..]);
+        let shared = home
+            .iter()
+            .zip(&clue.base)
+            .take_while(|(a, b)| a == b)
+            .count();
+        match clue.base.get(shared..).and_then(<[_]>::last) {
+            Some(folder) if names_truth(folder) => Owner::Truth,
+            Some(folder) => Owner::method((*folder).to_owned(), clue),
+            None if has_truth => Owner::method(NAMELESS.to_owned(), clue),
+            None => Owner::Truth,
+        }
+    }
+
+    fn put(&mut self, model: usize, owner: Owner<'a>, clue: &Clue<'a>, grouping: &mut Grouping) {
+        let Some(draft) = self.models.get_mut(model) else {
+            return;
+        };
+        match draft.files.get(&(owner.clone(), clue.role)) {
+            None => {
+                draft.files.insert((owner, clue.role), clue.path);
+            }
+            Some(first) => grouping.reject(
+                clue.path,
+                format!("{first} already gives the same for {}", draft.cloud.stem),
+            ),
+        }
+    }
+}
