@@ -1,1 +1,204 @@
 //! CAD-like parts with known truth, made by a deterministic generator.
+//!
+//! [`generate`] makes one of the [`parts`] of the catalogue, [`build`] any [`blocks::Part`]. The
+//! points are spread as a surface mesher spreads vertices, which is what the benchmark's clouds
+//! look like: corners, then edges, then faces, all at about one distance; a point on an edge is
+//! listed by every primitive that meets there. A primitive is one connected patch of one surface.
+//! Free-form faces are sampled but belong to no primitive.
+//!
+//! One part, options and seed give one model. Sines, arc tangents and logarithms come from `libm`,
+//! not from the platform, so that it is the same model natively and under WebAssembly.
+
+pub mod blocks;
+mod boundary;
+mod catalogue;
+mod degrade;
+mod grid;
+mod mesh;
+mod patches;
+mod random;
+
+use blocks::Part;
+use boundary::Boundary;
+pub use catalogue::{PartInfo, parts};
+use random::Random;
+
+use crate::cloud::Cloud;
+use crate::model::{Coefficients, Model, Primitive, Segmentation};
+use crate::surface::Surface;
+
+/// Most points a model may have before outliers are added.
+pub const MAX_POINTS: usize = 2_000_000;
+
+/// How a part becomes a cloud. All lengths are fractions of the diagonal of the part's bounding
+/// box, so that the same options suit every part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Median distance between nearest neighbours, 0.0005 to 0.1 of the diagonal; 0.0077, the
+    /// median of the benchmark's clouds, by default.
+    pub spacing: f64,
+    /// Standard deviation of the normal noise added to each coordinate, 0 to 0.1 of the diagonal.
+    pub noise: f64,
+    /// Outliers per point of the part, 0 to 1: evenly distributed points of no primitive.
+    pub outliers: f64,
+    /// Fraction of the points cut away by balls and half-spaces, 0 to 0.95.
+    pub missing: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            seed: 1,
+            spacing: 0.0077,
+            noise: 0.0,
+            outliers: 0.0,
+            missing: 0.0,
+        }
+    }
+}
+
+impl Options {
+    /// # Errors
+    /// [`SampleError::OutOfRange`] names the first option that is not a number in its range.
+    pub fn check(&self) -> Result<(), SampleError> {
+        let ranges = [
+            ("spacing", self.spacing, 0.0005, 0.1),
+            ("noise", self.noise, 0.0, 0.1),
+            ("outliers", self.outliers, 0.0, 1.0),
+            ("missing", self.missing, 0.0, 0.95),
+        ];
+        for (option, value, min, max) in ranges {
+            if !(min..=max).contains(&value) {
+                return Err(SampleError::OutOfRange {
+                    option,
+                    value,
+                    min,
+                    max,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Why no model was made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SampleError {
+    /// The catalogue has no part of that name.
+    #[error("there is no part “{name}”; choose one of {}", known.join(", "))]
+    UnknownPart {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: Vec<&'static str>,
+    },
+    /// An option is not a number in its range.
+    #[error("{option} must be between {min} and {max}, not {value}")]
+    OutOfRange {
+        /// Name of the option.
+        option: &'static str,
+        /// Its value.
+        value: f64,
+        /// Least value allowed.
+        min: f64,
+        /// Greatest value allowed.
+        max: f64,
+    },
+    /// The spacing is too fine for the part.
+    #[error("the part would have more than {limit} points; choose a wider spacing")]
+    TooManyPoints {
+        /// The most there may be.
+        limit: usize,
+    },
+    /// A part does not describe an object.
+    #[error("feature {feature} of the part cannot be built: {reason}")]
+    InvalidPart {
+        /// Its place among the features, from 1.
+        feature: usize,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+}
+
+/// Makes a part of the catalogue. O(n) for n points, but for missing data, O(n log n); about a
+/// second per million points.
+///
+/// # Errors
+/// [`SampleError`] if there is no such part, an option is out of its range, or there would be more
+/// than [`MAX_POINTS`].
+pub fn generate(part: &str, options: &Options) -> Result<Model, SampleError> {
+    build(part, &catalogue::part(part)?, options)
+}
+
+/// Makes a model of any part.
+///
+/// # Errors
+/// [`SampleError`] if the part describes no object, an option is out of its range, or there would
+/// be more than [`MAX_POINTS`].
+pub fn build(name: &str, part: &Part, options: &Options) -> Result<Model, SampleError> {
+    options.check()?;
+    let boundary = Boundary::new(part)?;
+    let spacing = options.spacing * boundary.diagonal;
+    let mesh = mesh::mesh(&boundary, spacing, options.seed, MAX_POINTS)?;
+    let patches = patches::patches(&boundary, &mesh, spacing);
+
+    // Streams below the number of faces serve the faces.
+    let stream = |number: u64| Random::new(options.seed, u64::MAX - number);
+    let kept = if options.missing > 0.0 {
+        degrade::keep(&mesh.points, options.missing, &mut stream(0))
+    } else {
+        vec![true; mesh.points.len()]
+    };
+    let mut number = 0;
+    let place: Vec<Option<u32>> = kept
+        .iter()
+        .map(|&kept| {
+            number += u32::from(kept);
+            kept.then(|| number - 1)
+        })
+        .collect();
+    let left = mesh.points.iter().zip(&kept).filter(|(_, kept)| **kept);
+    let mut points: Vec<_> = left.map(|(point, _)| *point).collect();
+    if options.noise > 0.0 {
+        degrade::shake(
+            &mut points,
+            options.noise * boundary.diagonal,
+            &mut stream(1),
+        );
+    }
+    let outliers = (options.outliers * points.len() as f64).round() as usize;
+    let outliers = degrade::stray(&points, outliers, &mut stream(2));
+    points.extend(outliers);
+
+    let mut primitives: Vec<Primitive> = Vec::new();
+    for patch in patches {
+        let left = patch
+            .points
+            .iter()
+            .filter_map(|&index| place[index as usize]);
+        let points: Vec<u32> = left.collect();
+        if !points.is_empty() {
+            let number = primitives.len() as u32 + 1;
+            primitives.push(primitive(number, points, patch.surface));
+        }
+    }
+    Ok(Model {
+        name: name.to_owned(),
+        cloud: Cloud::new(points),
+        truth: Some(Segmentation { primitives }),
+        submissions: Vec::new(),
+    })
+}
+
+fn primitive(number: u32, points: Vec<u32>, surface: Surface) -> Primitive {
+    Primitive {
+        number,
+        points,
+        kind: Some(surface.kind()),
+        surface: Some(surface),
+        parametric: Coefficients::Given(surface.to_parametric()),
+        implicit: Coefficients::Given(surface.to_implicit()),
+    }
+}

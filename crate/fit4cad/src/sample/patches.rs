@@ -1,0 +1,101 @@
+//! From surfaces to primitives: the connected patches that remain of each surface.
+
+use super::boundary::Boundary;
+use super::grid::Grid;
+use super::mesh::Mesh;
+use crate::cloud::Point;
+use crate::surface::Surface;
+
+/// A surface and the points of one connected patch of it, ascending.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    pub surface: Surface,
+    pub points: Vec<u32>,
+}
+
+/// Splits the points of each surface into connected patches: two neighbours belong together if the
+/// face goes on half-way between them. Free-form faces make none. O(n).
+pub fn patches(boundary: &Boundary, mesh: &Mesh, spacing: f64) -> Vec<Patch> {
+    let mut patches = Vec::new();
+    for (carrier, members) in mesh.members.iter().enumerate() {
+        let mut faces = boundary.faces.iter().filter(|face| face.carrier == carrier);
+        let Some(surface) = faces.next().and_then(|face| face.surface) else {
+            continue;
+        };
+        for points in components(boundary, carrier, mesh, members, spacing) {
+            patches.push(Patch { surface, points });
+        }
+    }
+    patches
+}
+
+fn components(
+    boundary: &Boundary,
+    carrier: usize,
+    mesh: &Mesh,
+    members: &[u32],
+    spacing: f64,
+) -> Vec<Vec<u32>> {
+    let points: Vec<Point> = members
+        .iter()
+        .map(|&index| mesh.points[index as usize])
+        .collect();
+    let faces: Vec<usize> = (0..boundary.faces.len())
+        .filter(|&face| boundary.faces[face].carrier == carrier)
+        .collect();
+    let goes_on = |middle: &Point| {
+        faces.iter().any(|&face| {
+            let chart = boundary.foot(face, middle).chart;
+            boundary.remains(&boundary.faces[face], chart)
+        })
+    };
+    let mut groups = Groups::new(points.len());
+    let mut grid = Grid::new(2.2 * spacing);
+    for (index, point) in points.iter().enumerate() {
+        grid.near(point, |other| {
+            if groups.find(index) != groups.find(other)
+                && goes_on(&nalgebra::center(point, &points[other]))
+            {
+                groups.join(index, other);
+            }
+        });
+        grid.add(*point);
+    }
+    let mut place = vec![usize::MAX; points.len()];
+    let mut parts: Vec<Vec<u32>> = Vec::new();
+    for (index, &member) in members.iter().enumerate() {
+        let root = groups.find(index);
+        if place[root] == usize::MAX {
+            place[root] = parts.len();
+            parts.push(Vec::new());
+        }
+        parts[place[root]].push(member);
+    }
+    parts
+}
+
+/// Disjoint sets (Galler and Fischer 1964) with path halving.
+struct Groups {
+    parents: Vec<usize>,
+}
+
+impl Groups {
+    fn new(count: usize) -> Self {
+        Self {
+            parents: (0..count).collect(),
+        }
+    }
+
+    fn find(&mut self, mut index: usize) -> usize {
+        while self.parents[index] != index {
+            self.parents[index] = self.parents[self.parents[index]];
+            index = self.parents[index];
+        }
+        index
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.parents[a.max(b)] = a.min(b);
+    }
+}
