@@ -5,6 +5,7 @@
 //! the engine and hands the result over. Failures are JavaScript errors with a clear text.
 
 mod diagnostic;
+mod group;
 mod input;
 mod lists;
 mod model;
@@ -13,6 +14,7 @@ mod report;
 mod stop;
 
 pub use diagnostic::{DiagnosticInfo, Severity};
+pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
 pub use lists::PointLists;
 pub use model::{BoundsInfo, Model, ModelInfo};

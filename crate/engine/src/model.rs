@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use fit4cad::cloud::Point;
 use fit4cad::diagnostics::Diagnostic;
-use fit4cad::format::{SourceFile, read_model};
+use fit4cad::format::{SourceFile, model_number, read_model};
 use fit4cad::metrics;
 use fit4cad::model::{self, Segmentation};
 use js_sys::{Float32Array, Float64Array};
@@ -35,6 +35,10 @@ pub struct BoundsInfo {
 pub struct ModelInfo {
     /// Its name, e.g. `PC14`.
     pub name: String,
+    /// The number its name ends with.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[tsify(optional)]
+    pub number: Option<u32>,
     /// Number of points.
     pub points: u32,
     /// The box of the points; absent without points.
@@ -101,6 +105,7 @@ impl Model {
         let corner = |point: Point| [point.x, point.y, point.z];
         hand_over(&ModelInfo {
             name: self.model.name.clone(),
+            number: model_number(&self.model.name),
             points: self.model.cloud.len() as u32,
             bounds: (!bounds.is_empty()).then(|| BoundsInfo {
                 min: corner(bounds.min),

@@ -14,7 +14,7 @@ mod surfaces;
 
 pub use assemble::{Named, assemble};
 pub use cloud::{CloudText, Numbering, PointNumber, read_cloud};
-pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group};
+pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
 pub use primitives::{PointList, read_primitives};
 pub use read::{Role, SourceFile, read_model};
 pub use surfaces::{Form, SurfaceEntry, SurfaceFile, read_surfaces};

@@ -11,6 +11,7 @@ mod tests;
 use std::collections::{BTreeMap, BTreeSet};
 
 use clue::Sorted;
+pub use naming::model_number;
 
 use super::Role;
 

@@ -17,7 +17,7 @@ pub(super) fn name(drafts: Vec<Draft<'_>>) -> Vec<ModelFiles> {
             let stem = draft.cloud.stem.clone();
             let model = ModelFiles {
                 name: qualified(&label, &stem),
-                number: trailing_number(&stem),
+                number: model_number(&stem),
                 files: files(draft),
             };
             (stem, label, model)
@@ -90,9 +90,10 @@ fn shortest_suffixes<'a>(paths: BTreeSet<Vec<&'a str>>) -> BTreeMap<Vec<&'a str>
     labels
 }
 
-fn trailing_number(stem: &str) -> Option<u32> {
-    let head = stem.trim_end_matches(|character: char| character.is_ascii_digit());
-    stem.get(head.len()..)?.parse().ok()
+/// The number a model's name ends with: 14 for `PC14` and for `training_set/PC14`.
+pub fn model_number(name: &str) -> Option<u32> {
+    let head = name.trim_end_matches(|character: char| character.is_ascii_digit());
+    name.get(head.len()..)?.parse().ok()
 }
 
 fn files(draft: Draft<'_>) -> Vec<PlacedFile> {
