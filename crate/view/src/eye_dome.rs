@@ -59,7 +59,7 @@ void main() {
             if (other < 1.0) response += max(0.0, middle - log_depth(other));
         }
         // The floor keeps dark segments apart from black, which has a meaning of its own.
-        float shade = max(exp(-response * 0.125 * 300.0 * lighting.x), 0.3);
+        float shade = max(exp(-response * 0.125 * 120.0 * lighting.x), 0.3);
         fragment.rgb *= shade;
     }
     if (!highlighted && outline.w > 0.0) {

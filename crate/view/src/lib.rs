@@ -296,6 +296,12 @@ impl View {
             .zoom(factor, Vec2::new(x, y) - centre, size.y);
     }
 
+    /// Enlarges by a factor, keeping the target in place.
+    pub fn zoom_centre(&mut self, factor: f32) {
+        self.land();
+        self.scene.camera.zoom(factor, Vec2::ZERO, 1.0);
+    }
+
     // Drawing.
 
     /// Draws a frame at a time in milliseconds. Returns whether another one is needed.

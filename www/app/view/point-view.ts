@@ -1,0 +1,459 @@
+// The view: owns a canvas, draws when something has changed, and answers what is under the cursor.
+
+import init, { View } from "../../generated/view/view.js";
+import { Gestures } from "./gestures";
+import { bytes, rgb, SEQUENTIAL } from "./palette";
+import {
+  type CameraState,
+  type Hit,
+  type LabelState,
+  type Layout,
+  type PictureOptions,
+  type PointSize,
+  type Region,
+  type Side,
+  type Standpoint,
+  STANDPOINTS,
+  type Theme,
+  type ViewEvents,
+  ViewUnavailable,
+} from "./types";
+
+/** How far from the cursor a point may lie and still be meant, in pixels of the page. */
+const REACH = 6;
+
+/** The renderer's code is fetched once, whoever asks first. */
+let loading: Promise<unknown> | undefined;
+
+interface PickRequest {
+  readonly x: number;
+  readonly y: number;
+  readonly answer: (hit: Hit | undefined) => void;
+}
+
+export class PointView {
+  readonly canvas: HTMLCanvasElement;
+  private readonly view: View;
+  private readonly gestures: Gestures;
+  private readonly sizes: ResizeObserver;
+  private readonly stop = new AbortController();
+  private readonly listeners: { [Name in keyof ViewEvents]?: Set<ViewEvents[Name]> } = {};
+  private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
+  /** Device pixels for one of the page's. */
+  private ratio = 1;
+  private request = 0;
+  private usable = true;
+  private layout: Layout = { kind: "split" };
+  private told = "";
+  private theme: Theme = { background: "#ffffff", ink: "#000000" };
+  /** The pick under way, those that wait for it, and where the cursor has gone meanwhile. */
+  private picking: PickRequest | undefined;
+  private waiting: PickRequest[] = [];
+  private cursor: { readonly x: number; readonly y: number } | undefined;
+  private hovered = "";
+  private stale = true;
+
+  /**
+   * Loads the renderer and lets it draw on a canvas. The canvas takes its size from the style sheet.
+   * @throws {ViewUnavailable} where the browser or the graphics card cannot.
+   */
+  static async create(canvas: HTMLCanvasElement): Promise<PointView> {
+    try {
+      await (loading ??= init());
+    } catch (cause) {
+      loading = undefined;
+      throw new ViewUnavailable("load", "The renderer could not be loaded.", { cause });
+    }
+    const gl = canvas.getContext("webgl2", {
+      alpha: false,
+      antialias: true,
+      depth: true,
+      powerPreference: "high-performance",
+      preserveDrawingBuffer: false,
+    });
+    if (!gl) {
+      throw new ViewUnavailable("no-webgl2", "This browser or its graphics driver does not offer WebGL 2.");
+    }
+    try {
+      return new PointView(canvas, new View(gl));
+    } catch (cause) {
+      throw new ViewUnavailable("shader", "The graphics driver does not accept the renderer's programs.", { cause });
+    }
+  }
+
+  private constructor(canvas: HTMLCanvasElement, view: View) {
+    this.canvas = canvas;
+    this.view = view;
+    this.gestures = new Gestures(this);
+    this.sizes = new ResizeObserver((entries) => this.measure(entries.at(-1)));
+    this.sizes.observe(canvas);
+    const { signal } = this.stop;
+    canvas.addEventListener("webglcontextlost", (event) => this.lose(event), { signal });
+    canvas.addEventListener("webglcontextrestored", () => this.restore(), { signal });
+    for (const side of [0, 1] as const) {
+      this.setColourMap(side, SEQUENTIAL);
+    }
+    this.measure(undefined);
+  }
+
+  /** Gives up canvas and memory. */
+  dispose(): void {
+    this.stop.abort();
+    this.sizes.disconnect();
+    this.gestures.dispose();
+    cancelAnimationFrame(this.request);
+    this.abandonPicking();
+    this.usable = false;
+    this.view.free();
+  }
+
+  /** Listens to what happens; the result ends it. */
+  on<Name extends keyof ViewEvents>(name: Name, listener: ViewEvents[Name]): () => void {
+    const listeners = (this.listeners[name] ??= new Set() as never) as Set<ViewEvents[Name]>;
+    listeners.add(listener);
+    return () => listeners.delete(listener);
+  }
+
+  /** Tells the listeners. */
+  tell<Name extends keyof ViewEvents>(name: Name, ...details: Parameters<ViewEvents[Name]>): void {
+    for (const listener of this.listeners[name] ?? []) {
+      (listener as (...details: Parameters<ViewEvents[Name]>) => void)(...details);
+    }
+  }
+
+  // What is seen.
+
+  /** Replaces the points: x y z each, relative to the cloud's centre. Forgets all that was said of the points before. */
+  setCloud(positions: Float32Array): void {
+    this.change((view) => view.set_cloud(positions));
+  }
+
+  /** Unit normals, x y z per point. */
+  setNormals(normals: Float32Array): void {
+    this.change((view) => view.set_normals(normals));
+  }
+
+  /** A label per point. Labels also say what is hidden where colours come from elsewhere. */
+  setLabels(side: Side, labels: Uint32Array | Uint16Array): void {
+    const wide = labels instanceof Uint32Array ? labels : Uint32Array.from(labels);
+    this.change((view) => view.set_labels(side, wide));
+  }
+
+  /** Colours of the labels, r g b each (see `palette.ts`). */
+  setColours(side: Side, colours: Uint8Array): void {
+    this.change((view) => view.set_colours(side, colours));
+  }
+
+  /** State of each label; labels beyond the last are shown. Costs nothing, however many points there are. */
+  setStates(side: Side, states: ArrayLike<LabelState>): void {
+    this.change((view) => view.set_states(side, Uint8Array.from(states)));
+  }
+
+  /** A number per point; NaN where there is none. */
+  setScalars(side: Side, scalars: Float32Array): void {
+    this.change((view) => view.set_scalars(side, scalars));
+  }
+
+  /** Colours from the low to the high end of the scalars. */
+  setColourMap(side: Side, map: readonly string[]): void {
+    this.change((view) => view.set_colour_map(side, bytes(map)));
+  }
+
+  colourByLabel(side: Side): void {
+    this.change((view) => view.colour_by_label(side));
+  }
+
+  /** Numbers beyond the range take the colour of its end; points without a number that of label 0. */
+  colourByScalar(side: Side, low: number, high: number): void {
+    this.change((view) => view.colour_by_scalar(side, low, high));
+  }
+
+  colourByNormal(side: Side): void {
+    this.change((view) => view.colour_by_normal(side));
+  }
+
+  setLayout(layout: Layout): void {
+    this.layout = layout;
+    this.change((view) => {
+      if (layout.kind === "single") view.show_single(layout.side);
+      else if (layout.kind === "wipe") view.show_wipe(layout.at);
+      else view.show_split();
+    });
+  }
+
+  getLayout(): Layout {
+    return this.layout;
+  }
+
+  setPointSize(size: PointSize): void {
+    this.change((view) =>
+      size.unit === "pixels" ? view.size_in_pixels(size.value) : view.size_by_spacing(size.value),
+    );
+  }
+
+  /** Strength of eye-dome lighting: 0 off, 1 usual. */
+  setEyeDome(strength: number): void {
+    this.change((view) => view.set_eye_dome(strength));
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.change((view) => view.set_theme(unit(theme.background), unit(theme.ink)));
+  }
+
+  // The camera. Movement is animated unless the reader prefers reduced motion.
+
+  get camera(): CameraState {
+    const [x = 0, y = 0, z = 0, i = 0, j = 0, k = 0, w = 1, height = 1, orthographic = 0] = this.view.camera();
+    return {
+      target: [x, y, z],
+      rotation: [i, j, k, w],
+      height,
+      projection: orthographic ? "orthographic" : "perspective",
+    };
+  }
+
+  /** False where the numbers make no camera; nothing changes then. */
+  setCamera(state: CameraState, animated = false): boolean {
+    const { target, rotation, height, projection } = state;
+    const numbers = [...target, ...rotation, height, projection === "orthographic" ? 1 : 0];
+    return this.change((view) => view.set_camera(Float32Array.from(numbers), this.animated(animated)));
+  }
+
+  setProjection(projection: CameraState["projection"]): void {
+    this.change((view) => view.set_orthographic(projection === "orthographic"));
+  }
+
+  lookFrom(standpoint: Standpoint, animated = true): void {
+    this.change((view) => view.look_from(STANDPOINTS.indexOf(standpoint), this.animated(animated)));
+  }
+
+  /** Frames the whole cloud. */
+  fit(animated = true): void {
+    this.change((view) => view.fit(this.animated(animated)));
+  }
+
+  /** Frames the points of some labels. */
+  fitLabels(side: Side, labels: ArrayLike<number>, animated = true): void {
+    this.change((view) => view.fit_labels(side, Uint32Array.from(labels), this.animated(animated)));
+  }
+
+  /** Turns the cloud about the axes of the screen, in radians: to the right, downwards, counter-clockwise. */
+  turn(yaw: number, pitch: number, roll = 0): void {
+    this.change((view) => view.turn(yaw, pitch, roll));
+  }
+
+  /** Turns the cloud as if a ball around it were dragged. Pixels of the page, as in all that follows. */
+  drag(x0: number, y0: number, x1: number, y1: number): void {
+    const ratio = this.ratio;
+    this.change((view) => view.drag(x0 * ratio, this.up(y0), x1 * ratio, this.up(y1)));
+  }
+
+  pan(dx: number, dy: number): void {
+    this.change((view) => view.pan(dx * this.ratio, -dy * this.ratio));
+  }
+
+  /** Enlarges around a position; around the middle where none is given. */
+  zoom(factor: number, x = -1, y = -1): void {
+    this.change((view) => {
+      if (x >= 0 && y >= 0) view.zoom(factor, x * this.ratio, this.up(y));
+      else view.zoom_centre(factor);
+    });
+  }
+
+  // Asking.
+
+  /**
+   * The point nearest a position, or nothing. Does not block: the answer comes when the graphics
+   * card has it.
+   */
+  pick(x: number, y: number): Promise<Hit | undefined> {
+    return new Promise((answer) => {
+      this.waiting.push({ x, y, answer });
+      this.schedule();
+    });
+  }
+
+  /** The cursor is at a position, or has left. Listeners to `hover` hear when it comes to another point. */
+  hover(x?: number, y?: number): void {
+    if (x === undefined || y === undefined) {
+      this.cursor = undefined;
+      this.tellHover(undefined, -1, -1);
+    } else if (this.listeners.hover?.size) {
+      // Only the latest position is looked into.
+      this.cursor = { x, y };
+      this.schedule();
+    }
+  }
+
+  sideAt(x: number, y: number): Side | undefined {
+    return this.view.side_at(x * this.ratio, this.up(y)) as Side | undefined;
+  }
+
+  /** Where a place of the cloud is seen; nothing where it is behind the eye or the side not shown. */
+  project(side: Side, place: readonly [number, number, number]): { x: number; y: number } | undefined {
+    const seen = this.view.project(side, ...place);
+    const [x, y] = seen ?? [];
+    return x === undefined || y === undefined ? undefined : { x: x / this.ratio, y: (this.canvas.height - y) / this.ratio };
+  }
+
+  /** Ascending indices of the points inside a region: those that can be seen, or all down to the far side. */
+  pointsIn(side: Side, region: Region, visibleOnly = true): Uint32Array {
+    if (region.kind === "circle") {
+      const { x, y, radius } = region;
+      return this.view.points_in_circle(side, x * this.ratio, this.up(y), radius * this.ratio, visibleOnly);
+    }
+    const corners = region.corners.flatMap(([x, y]) => [x * this.ratio, this.up(y)]);
+    return this.view.points_in_polygon(side, Float32Array.from(corners), visibleOnly);
+  }
+
+  /** Typical distance of neighbouring points. */
+  get spacing(): number {
+    return this.view.spacing();
+  }
+
+  /** The view as a PNG file of any size, points and lines enlarged with it. */
+  async picture({ width, height, transparent, background }: PictureOptions): Promise<Blob> {
+    const ratio = Math.min(width / this.canvas.clientWidth, height / this.canvas.clientHeight);
+    const { view, theme } = this;
+    let pixels: Uint8Array;
+    try {
+      if (background) view.set_theme(unit(background), unit(theme.ink));
+      pixels = view.picture(width, height, ratio, transparent ? 0 : 1);
+    } finally {
+      if (background) view.set_theme(unit(theme.background), unit(theme.ink));
+      this.invalidate();
+    }
+    const canvas = new OffscreenCanvas(width, height);
+    const context = canvas.getContext("2d");
+    if (!context) throw new Error("The browser could not make a picture of this size.");
+    context.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, height), 0, 0);
+    return canvas.convertToBlob({ type: "image/png" });
+  }
+
+  // Drawing.
+
+  /** Asks for a frame. */
+  invalidate(): void {
+    this.stale = true;
+    this.schedule();
+  }
+
+  private change<Result>(act: (view: View) => Result): Result {
+    const result = act(this.view);
+    this.invalidate();
+    return result;
+  }
+
+  private schedule(): void {
+    if (this.request === 0 && !this.stop.signal.aborted) {
+      this.request = requestAnimationFrame((now) => this.step(now));
+    }
+  }
+
+  private step(now: number): void {
+    this.request = 0;
+    if (!this.usable) return;
+    this.proceedPicking();
+    if (this.stale) {
+      this.stale = this.view.draw(now);
+      if (!this.stale) this.tellCamera();
+    }
+    if (this.stale || this.picking || this.cursor || this.waiting.length > 0) this.schedule();
+  }
+
+  private tellCamera(): void {
+    const state = this.camera;
+    const told = JSON.stringify(state);
+    if (told !== this.told) {
+      this.told = told;
+      this.tell("camera", state);
+    }
+  }
+
+  private proceedPicking(): void {
+    if (this.picking) {
+      const found = this.view.poll_pick();
+      if (!found) return;
+      const [side = 0, index = -1] = found;
+      this.settle(index < 0 ? undefined : { side: side as Side, index });
+    }
+    const next = this.waiting.shift() ?? this.nextHover();
+    if (next) {
+      this.picking = next;
+      const reach = Math.round(REACH * this.ratio);
+      const started = this.view.start_pick(next.x * this.ratio, this.up(next.y), reach);
+      if (!started) this.settle(undefined);
+    }
+  }
+
+  private nextHover(): PickRequest | undefined {
+    const { cursor } = this;
+    this.cursor = undefined;
+    return cursor && { ...cursor, answer: (hit) => this.tellHover(hit, cursor.x, cursor.y) };
+  }
+
+  private tellHover(hit: Hit | undefined, x: number, y: number): void {
+    const hovered = hit ? `${hit.side} ${hit.index}` : "";
+    if (hovered !== this.hovered) {
+      this.hovered = hovered;
+      this.tell("hover", hit, x, y);
+    }
+  }
+
+  private settle(hit: Hit | undefined): void {
+    const { picking } = this;
+    this.picking = undefined;
+    picking?.answer(hit);
+  }
+
+  private abandonPicking(): void {
+    this.settle(undefined);
+    for (const { answer } of this.waiting.splice(0)) answer(undefined);
+    this.cursor = undefined;
+  }
+
+  private animated(wanted: boolean): boolean {
+    return wanted && !this.calm.matches;
+  }
+
+  /** Height above the canvas's lower border in device pixels. */
+  private up(y: number): number {
+    return this.canvas.height - y * this.ratio;
+  }
+
+  private measure(entry: ResizeObserverEntry | undefined): void {
+    const { canvas } = this;
+    const exact = entry?.devicePixelContentBoxSize?.[0];
+    this.ratio = window.devicePixelRatio || 1;
+    const width = exact?.inlineSize ?? Math.round(canvas.clientWidth * this.ratio);
+    const height = exact?.blockSize ?? Math.round(canvas.clientHeight * this.ratio);
+    if (width === 0 || height === 0) return;
+    canvas.width = width;
+    canvas.height = height;
+    this.view.resize(width, height, this.ratio);
+    // Setting the size empties the canvas: draw before it is shown.
+    if (this.usable) this.stale = this.view.draw(performance.now());
+    if (this.stale) this.schedule();
+  }
+
+  private lose(event: Event): void {
+    // Without this the browser would not give the context back.
+    event.preventDefault();
+    this.usable = false;
+    this.abandonPicking();
+    this.view.lose();
+    this.tell("context", false);
+  }
+
+  private restore(): void {
+    this.view.restore();
+    this.usable = true;
+    this.tell("context", true);
+    this.invalidate();
+  }
+}
+
+function unit(colour: string): Float32Array {
+  return Float32Array.from(rgb(colour), (channel) => channel / 255);
+}
