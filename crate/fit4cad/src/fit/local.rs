@@ -6,12 +6,13 @@
 //! curvatures of a height function over the tangent plane, which see a patch of a large surface.
 //! [`polish`] turns a start into the least-squares surface of the points that agree with it.
 
-use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, SymmetricEigen};
+use nalgebra::{Matrix2, SMatrix, SVector, SymmetricEigen};
 
 use super::least_squares::{self, Fitted, Loss, degrees_of_freedom};
+use super::quadric::Quadric;
 use crate::cloud::normals::Spread;
 use crate::cloud::{Bounds, Direction, Point, Vector};
-use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus};
+use crate::surface::{Cylinder, Plane, Sphere, Surface, SurfaceType, Torus};
 
 /// Local shape at the middle of a patch: what is left of the surface to second order.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +105,12 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
         }
         SurfaceType::Sphere => surfaces.extend(algebraic_sphere(patch).map(Surface::Sphere)),
         SurfaceType::Cylinder | SurfaceType::Cone => {
-            surfaces.extend(algebraic_quadric(kind, patch));
+            if let Some(quadric) = Quadric::of(patch) {
+                surfaces.extend(match kind {
+                    SurfaceType::Cylinder => quadric.cylinder().map(Surface::Cylinder),
+                    _ => quadric.cone().map(Surface::Cone),
+                });
+            }
             if kind == SurfaceType::Cylinder {
                 surfaces.extend(Curvature::of(patch).and_then(|c| curved_cylinder(&c)));
             }
@@ -136,66 +142,6 @@ fn algebraic_sphere(patch: &[Point]) -> Option<Sphere> {
     radius
         .is_finite()
         .then(|| Sphere::new(origin + centre * scale, radius * scale))
-}
-
-/// The quadric xᵀAx + 2b·x + c = 0 of least algebraic error with |(A, b, c)| = 1, read as a
-/// surface of revolution: the axis belongs to the eigenvalue of A that differs from two others.
-fn algebraic_quadric(kind: SurfaceType, patch: &[Point]) -> Option<Surface> {
-    if patch.len() < 9 {
-        return None;
-    }
-    let origin = Spread::of(patch.iter())?.centroid;
-    let scale = 0.5 * Bounds::of(patch).diagonal();
-    let mut matrix = SMatrix::<f64, 10, 10>::zeros();
-    for point in patch {
-        let p = (point - origin) / scale;
-        let row = SVector::<f64, 10>::from([
-            p.x * p.x,
-            p.y * p.y,
-            p.z * p.z,
-            2.0 * p.x * p.y,
-            2.0 * p.x * p.z,
-            2.0 * p.y * p.z,
-            2.0 * p.x,
-            2.0 * p.y,
-            2.0 * p.z,
-            1.0,
-        ]);
-        matrix.ger(1.0, &row, &row, 1.0);
-    }
-    let eigen = SymmetricEigen::new(matrix);
-    let q = eigen
-        .eigenvectors
-        .column(eigen.eigenvalues.imin())
-        .into_owned();
-    let a = Matrix3::new(q[0], q[3], q[4], q[3], q[1], q[5], q[4], q[5], q[2]);
-    let b = Vector::new(q[6], q[7], q[8]);
-    let eigen = SymmetricEigen::new(a);
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
-    let [low, middle, high] = order.map(|i| eigen.eigenvalues[i]);
-    let (odd, pair) = if middle - low > high - middle {
-        (order[0], 0.5 * (middle + high))
-    } else {
-        (order[2], 0.5 * (low + middle))
-    };
-    let axis = eigen.eigenvectors.column(odd).into_owned();
-    let along = eigen.eigenvalues[odd];
-    let across = -(b - axis * b.dot(&axis)) / pair;
-    match kind {
-        SurfaceType::Cylinder => {
-            let radius = (across.norm_squared() - q[9] / pair).sqrt();
-            radius.is_finite().then(|| {
-                Surface::Cylinder(Cylinder::new(origin + across * scale, axis, radius * scale))
-            })
-        }
-        _ => {
-            let apex = across - axis * (b.dot(&axis) / along);
-            let half_angle = (-along / pair).sqrt().atan();
-            let finite = half_angle.is_finite() && apex.iter().all(|x| x.is_finite());
-            finite.then(|| Surface::Cone(Cone::new(origin + apex * scale, axis, half_angle)))
-        }
-    }
 }
 
 /// The cylinder that bends as the patch does: its axis runs along the direction of least curvature.

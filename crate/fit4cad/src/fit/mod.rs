@@ -17,6 +17,7 @@ pub mod least_squares;
 pub mod local;
 pub mod parameters;
 pub mod progress;
+pub mod quadric;
 pub mod scale;
 pub mod search;
 pub mod stages;
@@ -89,7 +90,8 @@ pub fn fit(
         observer.trace(Event::Scale(scale));
     }
     match method {
-        Method::Hough | Method::Growing => detect::greedy(&mut search, observer)?,
+        Method::Hough => hough::find(&mut search, observer)?,
+        Method::Growing => detect::greedy(&mut search, observer)?,
     }
     let segmentation = stages::finish(&search, observer)?;
     Ok(Fit {
