@@ -4,7 +4,7 @@
 //! What counts is the set of points, not the frame: `a = (-8, 0, 0), b = (0, -8, 0)` and an
 //! oblique section both describe a circular cylinder and convert without misfit.
 
-use std::f64::consts::{FRAC_PI_4, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::Matrix3;
 
@@ -27,17 +27,11 @@ impl Surface {
         values: &[f64],
     ) -> Result<Conversion, ConversionError> {
         check_values(kind, values, kind.parametric_len())?;
-        let degenerate = |defect| ConversionError::Degenerate { kind, defect };
         let form = Parametric { kind, values };
-        let (surface, size) = match kind {
-            SurfaceType::Plane => plane(form),
-            SurfaceType::Cylinder => cylinder(form),
-            SurfaceType::Cone => cone(form),
-            SurfaceType::Sphere => sphere(form),
-            SurfaceType::Torus => torus(form),
-        }
-        .map_err(degenerate)?;
-        Conversion::checked(surface, form.misfit(&surface, &size))
+        let (surface, region) = form
+            .surface()
+            .map_err(|defect| ConversionError::Degenerate { kind, defect })?;
+        Conversion::checked(surface, form.misfit(&surface, &region))
     }
 
     /// The parametric vector in the paper's order, with an orthogonal frame. The cone's starts at
@@ -95,6 +89,21 @@ pub fn parametric_point(kind: SurfaceType, values: &[f64], u: f64, v: f64) -> Op
     (values.len() == kind.parametric_len()).then(|| Parametric { kind, values }.at(u, v))
 }
 
+/// Points spread over a parametric form, enough of them to tell all polynomials up to the degree of
+/// any family apart; none where the vector is no surface. Open directions are covered about as far
+/// as the surface is wide, a cone on both nappes.
+pub fn sample_parametric(kind: SurfaceType, values: &[f64]) -> Vec<Point> {
+    const STEPS: u32 = 15;
+    let form = Parametric { kind, values };
+    if check_values(kind, values, kind.parametric_len()).is_err() {
+        return Vec::new();
+    }
+    match form.surface() {
+        Ok((_, region)) => form.grid(&region, STEPS).collect(),
+        Err(_) => Vec::new(),
+    }
+}
+
 /// Two unit vectors that make a right-handed frame with the axis.
 fn frame(axis: &Direction) -> (Vector, Vector) {
     let v = across(axis).into_inner();
@@ -108,13 +117,17 @@ struct Parametric<'a> {
     values: &'a [f64],
 }
 
-/// Where to compare a parametric form with its surface, and in which unit.
-struct Samples {
-    v: Vec<f64>,
+/// A region of the parameters that shows the surface as about as long as it is wide.
+struct Region {
+    u: [f64; 2],
+    v: [f64; 2],
+    /// Unit of the misfit.
     size: f64,
 }
 
-impl Parametric<'_> {
+const TURN: [f64; 2] = [0.0, TAU];
+
+impl<'a> Parametric<'a> {
     fn column(&self, index: usize) -> Vector {
         let from = 3 * index;
         match self.values.get(from..from + 3) {
@@ -136,35 +149,55 @@ impl Parametric<'_> {
         })
     }
 
-    fn misfit(&self, surface: &Surface, samples: &Samples) -> f64 {
-        const ROUND: u32 = 16;
+    /// The surface, and where to look at the form.
+    fn surface(self) -> Result<(Surface, Region), Defect> {
+        match self.kind {
+            SurfaceType::Plane => plane(self),
+            SurfaceType::Cylinder => cylinder(self),
+            SurfaceType::Cone => cone(self),
+            SurfaceType::Sphere => sphere(self),
+            SurfaceType::Torus => torus(self),
+        }
+    }
+
+    /// Points on a grid of the region, `steps` + 1 along either parameter, both ends included.
+    fn grid(&self, region: &Region, steps: u32) -> impl Iterator<Item = Point> {
+        let (u, v) = (region.u, region.v);
+        let share = move |step: u32| f64::from(step) / f64::from(steps);
+        let along = move |[from, to]: [f64; 2], step| from + (to - from) * share(step);
+        let pairs = (0..=steps).flat_map(move |i| (0..=steps).map(move |j| (i, j)));
+        pairs.map(move |(i, j)| self.at(along(u, i), along(v, j)))
+    }
+
+    fn misfit(&self, surface: &Surface, region: &Region) -> f64 {
+        const STEPS: u32 = 8;
         let mut worst = 0.0;
-        for &v in &samples.v {
-            for step in 0..ROUND {
-                let u = TAU * f64::from(step) / f64::from(ROUND);
-                let distance = surface.distance(&self.at(u, v)) / samples.size;
-                // Unlike f64::max, this keeps NaN.
-                if distance > worst || distance.is_nan() {
-                    worst = distance;
-                }
+        for point in self.grid(region, STEPS) {
+            let distance = surface.distance(&point) / region.size;
+            // Unlike f64::max, this keeps NaN.
+            if distance > worst || distance.is_nan() {
+                worst = distance;
             }
         }
         worst
     }
 }
 
-fn plane(form: Parametric) -> Result<(Surface, Samples), Defect> {
+fn plane(form: Parametric) -> Result<(Surface, Region), Defect> {
     let (a, b, c) = (form.column(0), form.column(1), form.column(2));
     let normal = normal_of(&a, &b).ok_or(Defect::NoNormal)?;
     let surface = Surface::Plane(Plane::new(Point::from(c), normal));
-    let samples = Samples {
-        v: Vec::new(),
-        size: 1.0,
+    let across = a.norm() / b.norm();
+    let region = Region {
+        u: [-1.0, 1.0],
+        v: [-across, across],
+        // Whatever spans a plane spans it exactly.
+        size: f64::INFINITY,
     };
-    Ok((surface, samples))
+    Ok((surface, region))
 }
 
-fn cylinder(form: Parametric) -> Result<(Surface, Samples), Defect> {
+fn cylinder(form: Parametric) -> Result<(Surface, Region), Defect> {
     let along = form.column(2);
     let axis = Direction::try_new(along, 0.0).ok_or(Defect::NoAxis)?;
     let radius = mean_radius(&form.column(0), &form.column(1), &axis);
@@ -174,15 +207,16 @@ fn cylinder(form: Parametric) -> Result<(Surface, Samples), Defect> {
     let point = Point::from(form.column(3));
     let surface = Surface::Cylinder(Cylinder::new(point, along, radius));
     let rise = radius / along.norm();
-    let samples = Samples {
-        v: vec![-rise, 0.0, rise],
+    let region = Region {
+        u: TURN,
+        v: [-rise, rise],
         size: radius,
     };
-    Ok((surface, samples))
+    Ok((surface, region))
 }
 
 /// The rings a cos u + b sin u + v (c cos u + d sin u) close at v₀ = −a·c/c·c, the apex.
-fn cone(form: Parametric) -> Result<(Surface, Samples), Defect> {
+fn cone(form: Parametric) -> Result<(Surface, Region), Defect> {
     let column = |index| form.column(index);
     let (a, b, c, d, e) = (column(0), column(1), column(2), column(3), column(4));
     let growth = c.norm_squared() + d.norm_squared();
@@ -205,14 +239,15 @@ fn cone(form: Parametric) -> Result<(Surface, Samples), Defect> {
     let surface = Surface::Cone(Cone::new(apex, along, half_angle));
     // At v = 0, where the patches of the files begin, unless the apex is there.
     let span = if closing == 0.0 { 1.0 } else { closing.abs() };
-    let samples = Samples {
-        v: vec![closing - span, closing + span],
+    let region = Region {
+        u: TURN,
+        v: [closing - span, closing + span],
         size: span * (growth / 2.0 + e.norm_squared()).sqrt(),
     };
-    Ok((surface, samples))
+    Ok((surface, region))
 }
 
-fn sphere(form: Parametric) -> Result<(Surface, Samples), Defect> {
+fn sphere(form: Parametric) -> Result<(Surface, Region), Defect> {
     let columns = [form.column(0), form.column(1), form.column(2)];
     let radii = Matrix3::from_columns(&columns).singular_values();
     let radius = radii.mean();
@@ -220,14 +255,15 @@ fn sphere(form: Parametric) -> Result<(Surface, Samples), Defect> {
         return Err(Defect::NoRadius);
     }
     let surface = Surface::Sphere(Sphere::new(Point::from(form.column(3)), radius));
-    let samples = Samples {
-        v: (-2..=2).map(|step| f64::from(step) * FRAC_PI_4).collect(),
+    let region = Region {
+        u: TURN,
+        v: [-FRAC_PI_2, FRAC_PI_2],
         size: radius,
     };
-    Ok((surface, samples))
+    Ok((surface, region))
 }
 
-fn torus(form: Parametric) -> Result<(Surface, Samples), Defect> {
+fn torus(form: Parametric) -> Result<(Surface, Region), Defect> {
     let column = |index| form.column(index);
     let (a, b, c, d, e) = (column(0), column(1), column(2), column(3), column(4));
     // A small error of direction matters most on the larger circle.
@@ -239,11 +275,12 @@ fn torus(form: Parametric) -> Result<(Surface, Samples), Defect> {
         return Err(Defect::NoRadius);
     }
     let surface = Surface::Torus(Torus::new(Point::from(column(5)), along, major, minor));
-    let samples = Samples {
-        v: (0..8).map(|step| f64::from(step) * FRAC_PI_4).collect(),
+    let region = Region {
+        u: TURN,
+        v: TURN,
         size: minor,
     };
-    Ok((surface, samples))
+    Ok((surface, region))
 }
 
 /// The unit normal of two vectors, if they are not parallel.

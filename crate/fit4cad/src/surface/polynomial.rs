@@ -104,6 +104,16 @@ impl Polynomial {
         &self.coefficients
     }
 
+    /// The same zero set with coefficients of Euclidean norm 1; unchanged if they are all zero.
+    pub fn normalised(&self) -> Self {
+        let norm = self.coefficients.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let scale = if norm > 0.0 { norm } else { 1.0 };
+        Self {
+            degree: self.degree,
+            coefficients: self.coefficients.iter().map(|c| c / scale).collect(),
+        }
+    }
+
     /// Value and gradient at a point, by Horner's scheme nested over x, y, z. O(coefficients).
     pub fn evaluate(&self, point: &Point) -> (f64, Vector) {
         let mut coefficients = self.coefficients.iter();
