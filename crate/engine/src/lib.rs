@@ -9,6 +9,7 @@ mod group;
 mod input;
 mod lists;
 mod model;
+mod part;
 mod primitive;
 mod report;
 mod stop;
@@ -18,6 +19,7 @@ pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced,
 pub use input::{InputFile, Role};
 pub use lists::PointLists;
 pub use model::{BoundsInfo, Model, ModelInfo};
+pub use part::{PartInfo, SampleOptions, parts};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{
     Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,

@@ -7,6 +7,7 @@ use fit4cad::diagnostics::Diagnostic;
 use fit4cad::format::{SourceFile, model_number, read_model};
 use fit4cad::metrics;
 use fit4cad::model::{self, Segmentation};
+use fit4cad::sample;
 use js_sys::{Float32Array, Float64Array};
 use serde::Serialize;
 use tsify::{Ts, Tsify};
@@ -17,6 +18,7 @@ use crate::diagnostic::DiagnosticInfo;
 use crate::hand_over;
 use crate::input::InputFile;
 use crate::lists::PointLists;
+use crate::part::SampleOptions;
 use crate::primitive::PrimitiveInfo;
 use crate::report::{Protocol, Report};
 
@@ -93,6 +95,19 @@ impl Model {
             model,
             diagnostics,
             method_of_file: submitted.collect(),
+        })
+    }
+
+    /// Makes a part of the generator's catalogue, named after it, with its truth.
+    ///
+    /// # Errors
+    /// If there is no such part, or an option is out of its range.
+    pub fn generate(part: &str, options: Ts<SampleOptions>) -> Result<Model, JsError> {
+        let options = sample::Options::from(options.to_rust()?);
+        Ok(Self {
+            model: sample::generate(part, &options)?,
+            diagnostics: Vec::new(),
+            method_of_file: BTreeMap::new(),
         })
     }
 
