@@ -1,6 +1,6 @@
 // The view as a component: a canvas, the wipe's border, and word of what went wrong.
 
-import type { JSX } from "preact";
+import type { JSX, TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { PointView } from "./point-view";
 import { type Layout, ViewUnavailable } from "./types";
@@ -64,7 +64,7 @@ const STEP = 0.02;
 function WipeBorder({ at, onMove }: { at: number; onMove: (at: number) => void }): JSX.Element {
   const move = (to: number) => onMove(Math.min(Math.max(to, 0), 1));
 
-  const drag = (event: JSX.TargetedPointerEvent<HTMLDivElement>) => {
+  const drag = (event: TargetedPointerEvent<HTMLDivElement>) => {
     const border = event.currentTarget;
     const around = border.parentElement?.getBoundingClientRect();
     if (around && around.width > 0 && border.hasPointerCapture(event.pointerId)) {
@@ -72,11 +72,11 @@ function WipeBorder({ at, onMove }: { at: number; onMove: (at: number) => void }
     }
   };
 
-  const press = (event: JSX.TargetedPointerEvent<HTMLDivElement>) => {
+  const press = (event: TargetedPointerEvent<HTMLDivElement>) => {
     event.currentTarget.setPointerCapture(event.pointerId);
   };
 
-  const key = (event: JSX.TargetedKeyboardEvent<HTMLDivElement>) => {
+  const key = (event: TargetedKeyboardEvent<HTMLDivElement>) => {
     const steps: Record<string, number> = { ArrowLeft: at - STEP, ArrowRight: at + STEP, Home: 0, End: 1 };
     const to = steps[event.key];
     if (to === undefined) return;
