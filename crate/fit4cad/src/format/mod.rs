@@ -11,6 +11,7 @@ mod primitives;
 mod read;
 mod scan;
 mod surfaces;
+mod write;
 
 pub use assemble::{Named, assemble};
 pub use cloud::{CloudText, Numbering, PointNumber, read_cloud};
@@ -18,3 +19,4 @@ pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, mod
 pub use primitives::{PointList, read_primitives};
 pub use read::{Role, SourceFile, read_model};
 pub use surfaces::{Form, SurfaceEntry, SurfaceFile, read_surfaces};
+pub use write::{write_cloud, write_primitives, write_surfaces};
