@@ -13,6 +13,9 @@ mod scan;
 mod surfaces;
 mod write;
 
+#[cfg(test)]
+mod tests;
+
 pub use assemble::{Named, assemble};
 pub use cloud::{CloudText, Numbering, PointNumber, read_cloud};
 pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
