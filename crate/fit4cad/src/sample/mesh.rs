@@ -89,6 +89,8 @@ fn lattice(
         .round()
         .max(1.0);
     let last_row = rows as usize - usize::from(closed[0]);
+    // On the very rim it is for the edges to say what remains.
+    let rim = 1e-5 * boundary.diagonal;
     for row in 0..=last_row {
         let across = low[0] + (high[0] - low[0]) * row as f64 / rows;
         let pace = face.pace(solid, across);
@@ -98,11 +100,12 @@ fn lattice(
             let stray = [random.signed(), random.signed()].map(|x| x * STRAY);
             let u = across + stray[0] * step;
             let v = low[1] + (high[1] - low[1]) * (k as f64 + shift + stray[1]) / count;
+            let inset = [rim, rim / pace.max(rim)];
             let clamp = |k: usize, x: f64| {
                 if closed[k] {
                     x
                 } else {
-                    x.clamp(low[k], high[k])
+                    x.max(low[k] + inset[k]).min(high[k] - inset[k])
                 }
             };
             if !place([clamp(0, u), clamp(1, v)]) {

@@ -157,6 +157,30 @@ impl Loop {
         self.step(Step::Arc { to, bulge })
     }
 
+    /// The path lengthened by a circular arc, anticlockwise about a centre as far from its end as
+    /// from the path's last corner.
+    #[must_use]
+    pub fn arc_about(self, centre: [f64; 2], to: [f64; 2]) -> Self {
+        let last = Vector2::from(self.last_corner()) - Vector2::from(centre);
+        let next = Vector2::from(to) - Vector2::from(centre);
+        let angle = libm::atan2(last.perp(&next), last.dot(&next));
+        let angle = if angle > 0.0 {
+            angle
+        } else {
+            angle + std::f64::consts::TAU
+        };
+        self.arc(to, libm::tan(angle / 4.0))
+    }
+
+    fn last_corner(&self) -> [f64; 2] {
+        match self {
+            Self::Circle { centre, .. } => *centre,
+            Self::Path { start, steps } => steps.last().map_or(*start, |step| match *step {
+                Step::Line { to } | Step::Arc { to, .. } | Step::Curve { to, .. } => to,
+            }),
+        }
+    }
+
     /// The path lengthened by a cubic Bézier curve.
     #[must_use]
     pub fn curve(self, controls: [[f64; 2]; 2], to: [f64; 2]) -> Self {

@@ -61,13 +61,21 @@ impl Edges<'_> {
         let mut cuts = Vec::new();
         for k in 1..places.len() {
             if carriers[k - 1] != carriers[k] {
+                // Close to where faces touch, more than one change may lie in between: look for
+                // the one at which an edge begins or ends.
+                let begins = carriers[k].len() >= 2;
+                let wanted = if begins {
+                    &carriers[k]
+                } else {
+                    &carriers[k - 1]
+                };
                 let (mut low, mut high) = (places[k - 1], places[k]);
                 for _ in 0..40 {
                     let t = (low + high) / 2.0;
-                    if self.carriers_at(&at(t)) == carriers[k - 1] {
-                        low = t;
-                    } else {
+                    if (self.carriers_at(&at(t)) == *wanted) == begins {
                         high = t;
+                    } else {
+                        low = t;
                     }
                 }
                 cuts.push((low, k));

@@ -165,6 +165,7 @@ impl Boundary {
     /// face, on the edge of two, or at a corner of more.
     pub fn faces_at(&self, point: &Point) -> Vec<usize> {
         let on = tolerance::ON * self.diagonal;
+        let aside = tolerance::ASIDE * self.diagonal;
         let touches = |&index: &usize| {
             let face = &self.faces[index];
             if !within(&face.bounds, point) {
@@ -172,16 +173,15 @@ impl Boundary {
             }
             let solid = &self.solids[face.solid];
             let foot = face.foot(solid, point);
-            foot.offset.abs() < on && self.goes_on(face, foot.chart)
+            foot.offset.abs() < on && self.remains_near(face, foot.chart, aside)
         };
         (0..self.faces.len()).filter(touches).collect()
     }
 
-    /// Whether a small step in some direction from a point of a face's carrier meets what remains
-    /// of the face.
-    fn goes_on(&self, face: &Face, chart: Chart) -> bool {
+    /// Whether a step of some length, in one of many directions from a point of a face's carrier,
+    /// meets what remains of the face.
+    pub fn remains_near(&self, face: &Face, chart: Chart, step: f64) -> bool {
         const DIRECTIONS: i32 = 24;
-        let step = tolerance::ASIDE * self.diagonal;
         let pace = face.pace(&self.solids[face.solid], chart[0]).max(step);
         (0..DIRECTIONS).any(|k| {
             // No step runs along an axis, where edges are likely.
