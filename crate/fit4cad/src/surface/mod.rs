@@ -184,10 +184,12 @@ impl Surface {
 fn canonical_axis(axis: Vector) -> Direction {
     const NEGLIGIBLE: f64 = 1e-9;
     let axis = Direction::try_new(axis, 0.0).unwrap_or_else(Vector::z_axis);
-    match axis.iter().find(|component| component.abs() > NEGLIGIBLE) {
+    let axis = match axis.iter().find(|component| component.abs() > NEGLIGIBLE) {
         Some(&component) if component < 0.0 => -axis,
         _ => axis,
-    }
+    };
+    // A sum turns `-0` into `0`, so that equal axes also print alike.
+    Direction::new_unchecked(axis.map(|component| component + 0.0))
 }
 
 /// The point of the line nearest the origin.
