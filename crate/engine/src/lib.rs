@@ -5,6 +5,7 @@
 //! the engine and hands the result over. Failures are JavaScript errors with a clear text.
 
 mod diagnostic;
+mod fit;
 mod group;
 mod input;
 mod lists;
@@ -15,6 +16,7 @@ mod report;
 mod stop;
 
 pub use diagnostic::{DiagnosticInfo, Severity};
+pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
 pub use lists::PointLists;

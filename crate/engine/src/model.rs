@@ -59,7 +59,7 @@ pub struct ModelInfo {
 #[derive(Debug)]
 #[wasm_bindgen]
 pub struct Model {
-    model: model::Model,
+    pub(crate) model: model::Model,
     diagnostics: Vec<Diagnostic>,
     /// The method each submitted file belongs to, by path.
     method_of_file: BTreeMap<String, String>,
@@ -212,7 +212,7 @@ impl Model {
 }
 
 impl Model {
-    fn methods(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn methods(&self) -> impl Iterator<Item = &str> {
         let submissions = self.model.submissions.iter();
         submissions.map(|submission| submission.method.as_str())
     }

@@ -1,0 +1,168 @@
+//! Running a fitter on a model.
+
+use std::collections::BTreeMap;
+
+use fit4cad::fit::parameters::TABLE;
+use fit4cad::fit::{self, Cancelled, Observer, Parameters, Stage};
+use fit4cad::model::Submission;
+use js_sys::Function;
+use serde::{Deserialize, Serialize};
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsError, JsValue};
+
+use crate::hand_over;
+use crate::model::Model;
+
+/// How surfaces are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Tsify)]
+#[serde(rename_all = "lowercase")]
+pub enum FitMethod {
+    /// Votes in parameter space.
+    Ht,
+    /// Primitive growing from neighbourhoods.
+    Pg,
+}
+
+impl FitMethod {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Ht => "HT",
+            Self::Pg => "PG",
+        }
+    }
+}
+
+impl From<FitMethod> for fit::Method {
+    fn from(method: FitMethod) -> Self {
+        match method {
+            FitMethod::Ht => Self::Hough,
+            FitMethod::Pg => Self::Growing,
+        }
+    }
+}
+
+/// Values by parameter name; those left out have their defaults.
+#[derive(Debug, Clone, Default, Deserialize, Tsify)]
+#[serde(transparent)]
+pub struct FitParameters(#[tsify(type = "Record<string, number>")] pub BTreeMap<String, f64>);
+
+/// What is to be known about one parameter of a fitter.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+pub struct ParameterInfo {
+    /// Name by which it is set.
+    pub name: &'static str,
+    /// Unit; empty for a plain number.
+    pub unit: &'static str,
+    /// Smallest value allowed.
+    pub minimum: f64,
+    /// Largest value allowed.
+    pub maximum: f64,
+    /// Value when nothing is said.
+    pub default: f64,
+    /// Whether only whole numbers make sense.
+    pub whole: bool,
+    /// What it does.
+    pub explanation: &'static str,
+}
+
+/// The parameters that a fitter heeds, in the order to show them.
+///
+/// # Errors
+/// If there is no such method.
+#[wasm_bindgen(js_name = fitParameters)]
+pub fn fit_parameters(method: Ts<FitMethod>) -> Result<Vec<Ts<ParameterInfo>>, JsError> {
+    let method = fit::Method::from(method.to_rust()?);
+    let heeded = TABLE.iter().filter(|info| info.methods.contains(&method));
+    heeded
+        .map(|info| {
+            hand_over(&ParameterInfo {
+                name: info.name,
+                unit: info.unit,
+                minimum: info.minimum,
+                maximum: info.maximum,
+                default: info.default,
+                whole: info.whole,
+                explanation: info.explanation,
+            })
+        })
+        .collect()
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Fits primitives to the bare cloud and keeps them as a submission; gives its name, which is
+    /// that of the method, with a number if it is taken. The same cloud, parameters and seed give
+    /// the same primitives. `progress` hears the stage and how much of it is done; what it throws
+    /// ends the fit and reaches the caller.
+    ///
+    /// # Errors
+    /// If a parameter is unknown or out of its range, or `progress` throws.
+    pub fn fit(
+        &mut self,
+        method: Ts<FitMethod>,
+        parameters: Ts<FitParameters>,
+        seed: u32,
+        #[wasm_bindgen(unchecked_param_type = "(stage: string, fraction: number) => void")]
+        progress: Option<Function>,
+    ) -> Result<String, JsValue> {
+        let method = method.to_rust().map_err(JsError::from)?;
+        let given = parameters.to_rust().map_err(JsError::from)?;
+        let mut parameters = Parameters::default();
+        for (name, value) in given.0 {
+            parameters.set(&name, value).map_err(JsError::from)?;
+        }
+        let mut listener = Listener {
+            callback: progress,
+            thrown: None,
+        };
+        let cloud = &self.model.cloud;
+        let seed = u64::from(seed);
+        let fitted = fit::fit(cloud, method.into(), &parameters, seed, &mut listener);
+        let fitted = fitted.map_err(|cancelled| {
+            let thrown = listener.thrown.take();
+            thrown.unwrap_or_else(|| JsError::from(cancelled).into())
+        })?;
+        let name = self.free_name(method.name());
+        self.model.submissions.push(Submission {
+            method: name.clone(),
+            segmentation: fitted.segmentation,
+        });
+        self.model
+            .submissions
+            .sort_by(|a, b| a.method.cmp(&b.method));
+        Ok(name)
+    }
+}
+
+impl Model {
+    /// `HT`, or `HT 2` where there is an `HT` already, and so on.
+    fn free_name(&self, method: &str) -> String {
+        let mut name = method.to_owned();
+        let mut number = 2u32;
+        while self.methods().any(|taken| taken == name) {
+            name = format!("{method} {number}");
+            number += 1;
+        }
+        name
+    }
+}
+
+/// Passes progress on to JavaScript and holds what it throws.
+struct Listener {
+    callback: Option<Function>,
+    thrown: Option<JsValue>,
+}
+
+impl Observer for Listener {
+    fn progress(&mut self, stage: Stage, fraction: f64) -> Result<(), Cancelled> {
+        let Some(callback) = &self.callback else {
+            return Ok(());
+        };
+        let called = callback.call2(&JsValue::NULL, &stage.name().into(), &fraction.into());
+        called.map(|_| ()).map_err(|thrown| {
+            self.thrown = Some(thrown);
+            Cancelled
+        })
+    }
+}
