@@ -22,7 +22,7 @@ export async function generate(args) {
   const { values, positionals } = readArguments(args, OPTIONS);
   const options = {
     seed: number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true }),
-    spacing: number("spacing", values.spacing, { least: Number.MIN_VALUE }),
+    spacing: number("spacing", values.spacing, { least: 0 }),
     noise: number("noise", values.noise, { least: 0 }),
     outliers: number("outliers", values.outliers, { least: 0, most: 1 }),
     missing: number("missing", values.missing, { least: 0, most: 1 }),

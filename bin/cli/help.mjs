@@ -10,7 +10,7 @@ const fit4cad = `fit4cad: score and make segmentations of CAD point clouds, as t
 
 Try it on a model of your own making:
   fit4cad generate --list
-  fit4cad generate bracket --out demo
+  fit4cad generate flange --out demo
   fit4cad score demo --self
 
 Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
@@ -64,18 +64,18 @@ const generate = `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [-
 fit4cad generate --list
 
 Makes a CAD-like part with its ground truth: the four files of a Fit4CAD model. The same options
-always give the same files.
+always give the same files. S and σ are shares of the diagonal of the part's bounding box.
 
   --list        the parts, with what each is good for
-  --seed N      of the random choices (default 1)
-  --spacing S   distance between neighbouring points, in the part's units
-  --noise σ     standard deviation of the points' displacement, in the part's units
-  --outliers f  share of points scattered through the part's bounding box, 0 to 1
-  --missing f   share of points cut away in balls and half-spaces, 0 to 1
+  --seed N      of everything random (default 1)
+  --spacing S   distance between neighbouring points (default that of the benchmark's clouds)
+  --noise σ     standard deviation of the noise added to each coordinate
+  --outliers f  points of no primitive for each point of the part, 0 to 1
+  --missing f   share of the points cut away in balls and half-spaces, 0 to 0.95
   --out DIR     where the files go (default: the current folder); made if missing
 
 Example:
-  fit4cad generate bracket --noise 0.01 --out demo && fit4cad score demo --self
+  fit4cad generate flange --noise 0.001 --out demo && fit4cad score demo --self
 `;
 
 export const HELP = { fit4cad, score, generate };

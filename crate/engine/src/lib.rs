@@ -20,7 +20,7 @@ pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
 pub use lists::PointLists;
-pub use model::{BoundsInfo, Model, ModelInfo};
+pub use model::{BoundsInfo, Model, ModelInfo, Texts};
 pub use part::{PartInfo, SampleOptions, parts};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use fit4cad::cloud::Point;
 use fit4cad::diagnostics::Diagnostic;
-use fit4cad::format::{SourceFile, model_number, read_model};
+use fit4cad::format::{
+    Form, SourceFile, model_number, read_model, write_cloud, write_primitives, write_surfaces,
+};
 use fit4cad::metrics;
 use fit4cad::model::{self, Segmentation};
 use fit4cad::sample;
@@ -53,6 +55,21 @@ pub struct ModelInfo {
     pub methods: Vec<String>,
     /// What is wrong with its files.
     pub diagnostics: Vec<DiagnosticInfo>,
+}
+
+/// The texts of a model's files, in the paper's form.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
+pub struct Texts {
+    /// `PCi.txt`; only with the truth, as submissions refer to the cloud they were made for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[tsify(optional)]
+    pub cloud: Option<String>,
+    /// `PCi_primitives.txt`.
+    pub primitives: String,
+    /// `PCi_parametric.txt`.
+    pub parametric: String,
+    /// `PCi_implicit.txt`.
+    pub implicit: String,
 }
 
 /// One point cloud with its truth and its submissions. Release it with `free()`.
@@ -186,6 +203,20 @@ impl Model {
             }));
         }
         Ok(Float32Array::from(distances.as_slice()))
+    }
+
+    /// Writes the files of a method, or of the truth, so that reading them gives the same again.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    pub fn write(&self, method: Option<String>) -> Result<Ts<Texts>, JsError> {
+        let segmentation = self.segmentation(method.as_deref())?;
+        hand_over(&Texts {
+            cloud: method.is_none().then(|| write_cloud(&self.model.cloud)),
+            primitives: write_primitives(segmentation),
+            parametric: write_surfaces(segmentation, Form::Parametric),
+            implicit: write_surfaces(segmentation, Form::Implicit),
+        })
     }
 
     /// Scores the submission of a method, or the truth against itself as method `truth`.
