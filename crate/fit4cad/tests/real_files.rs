@@ -1,6 +1,8 @@
 //! The benchmark's own files, read from `../shared/fit4cad` or `$FIT4CAD_SHARED/fit4cad`; skipped,
 //! saying so, where they are not there.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

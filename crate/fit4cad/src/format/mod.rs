@@ -7,6 +7,7 @@ mod findings;
 pub mod group;
 pub mod limits;
 mod number;
+mod numbering;
 mod primitives;
 mod read;
 mod scan;
@@ -17,8 +18,9 @@ mod write;
 mod tests;
 
 pub use assemble::{Named, assemble};
-pub use cloud::{CloudText, Numbering, PointNumber, read_cloud};
+pub use cloud::{CloudText, read_cloud};
 pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
+pub use numbering::{Numbering, PointNumber};
 pub use primitives::{PointList, read_primitives};
 pub use read::{Role, SourceFile, read_model};
 pub use surfaces::{Form, SurfaceEntry, SurfaceFile, read_surfaces};

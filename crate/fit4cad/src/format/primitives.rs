@@ -1,10 +1,10 @@
 //! Reading `PCi_primitives.txt`: one `PrimitiveK:=[i1 i2 …];` per primitive.
 
-use super::cloud::{Numbering, PointNumber};
 use super::entry::{NOT_CLOSED, at_keyword, next_header};
 use super::findings::{Findings, Kind, is_blank, open};
 use super::limits::MAX_INDICES;
 use super::number;
+use super::numbering::{Numbering, PointNumber};
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
 use crate::diagnostics::{Diagnostic, Position, Severity};
 

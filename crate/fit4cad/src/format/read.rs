@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::assemble::{Named, assemble};
-use super::cloud::{CloudText, Numbering, read_cloud};
+use super::cloud::{CloudText, read_cloud};
+use super::numbering::Numbering;
 use super::primitives::read_primitives;
 use super::surfaces::{Form, SurfaceFile, read_surfaces};
 use crate::diagnostics::{Diagnostic, Severity};

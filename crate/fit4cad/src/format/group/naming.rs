@@ -57,7 +57,7 @@ fn set_labels<'a>(drafts: &[Draft<'a>]) -> BTreeMap<Vec<&'a str>, String> {
 }
 
 /// For each path its last folders, as many as tell it from the others.
-fn shortest_suffixes<'a>(paths: BTreeSet<Vec<&'a str>>) -> BTreeMap<Vec<&'a str>, String> {
+fn shortest_suffixes(paths: BTreeSet<Vec<&str>>) -> BTreeMap<Vec<&str>, String> {
     let suffix = |path: &[&str], length: usize| {
         path.get(path.len().saturating_sub(length)..)
             .unwrap_or_default()

@@ -1,11 +1,21 @@
 //! Reading `PCi.txt`: `Points:=[`, one `[x, y, z], ` per line, ` ];`.
 
-use super::findings::{Findings, Kind, is_blank, open};
+mod kinds;
+mod row;
+
+use kinds::{
+    AFTER_END, BROKEN_ROW, CUT_OFF, EMPTY, JUNK, NO_BRACKETS, NO_COMMAS, NO_HEADER, NO_POINTS,
+    NO_ROW_END, NOT_CLOSED, OTHER_FILE, TOO_MANY,
+};
+use row::{OddRow, paper_row};
+
+use super::findings::{Findings, is_blank, open};
 use super::limits::MAX_POINTS;
 use super::number;
+use super::numbering::Numbering;
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
 use crate::cloud::{Cloud, Point};
-use crate::diagnostics::{Diagnostic, Severity};
+use crate::diagnostics::Diagnostic;
 
 /// A cloud as read, and what its file's point numbers mean.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,61 +24,6 @@ pub struct CloudText {
     pub cloud: Cloud,
     /// From point numbers, as the primitives file uses them, to indices into the cloud.
     pub numbering: Numbering,
-}
-
-/// From the point numbers of a file (1-based rows of `PCi.txt`) to indices into its [`Cloud`].
-///
-/// A row that cannot be read keeps its number and has no index, so that one broken row does not
-/// shift every point after it.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Numbering {
-    rows: usize,
-    /// Rows without a point, counted from 0, ascending.
-    broken: Vec<u32>,
-}
-
-/// What a point number stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PointNumber {
-    /// The point at this index of the cloud.
-    Index(u32),
-    /// A row of the cloud file that could not be read.
-    Broken,
-    /// No row: 0, or beyond the last.
-    Outside,
-}
-
-impl Numbering {
-    /// The numbering of a cloud of `points` points without broken rows.
-    pub fn of(points: usize) -> Self {
-        Self {
-            rows: points,
-            broken: Vec::new(),
-        }
-    }
-
-    /// Number of rows, broken ones included: the largest point number.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// What a number stands for. O(log b) for b broken rows.
-    #[inline]
-    pub fn resolve(&self, number: u64) -> PointNumber {
-        let row = match usize::try_from(number) {
-            Ok(number) if (1..=self.rows).contains(&number) => number - 1,
-            _ => return PointNumber::Outside,
-        };
-        // Rows are at most `MAX_POINTS`, so they fit.
-        let row = row as u32;
-        if self.broken.is_empty() {
-            return PointNumber::Index(row);
-        }
-        match self.broken.binary_search(&row) {
-            Ok(_) => PointNumber::Broken,
-            Err(before) => PointNumber::Index(row - before as u32),
-        }
-    }
 }
 
 /// Reads a cloud file. Linear in its length, one pass.
@@ -82,85 +37,6 @@ pub fn read_cloud(file: &str, bytes: &[u8]) -> (CloudText, Vec<Diagnostic>) {
         Err(diagnostics) => (CloudText::default(), diagnostics),
     }
 }
-
-const EMPTY: Kind = Kind {
-    severity: Severity::Error,
-    message: "The cloud file is empty",
-    expected: "`Points:=[` and one `[x, y, z],` per line",
-    hint: "Fetch the file again",
-};
-const NO_POINTS: Kind = Kind {
-    severity: Severity::Error,
-    message: "The cloud file holds no point that could be read",
-    expected: "`Points:=[` and one `[x, y, z],` per line",
-    hint: "",
-};
-const OTHER_FILE: Kind = Kind {
-    severity: Severity::Error,
-    message: "This is not a cloud but a file of primitives",
-    expected: "`Points:=[`",
-    hint: "Rename the file or set its role",
-};
-const NO_HEADER: Kind = Kind {
-    severity: Severity::Warning,
-    message: "The cloud does not begin with its header",
-    expected: "`Points:=[`",
-    hint: "The rows are read all the same",
-};
-const JUNK: Kind = Kind {
-    severity: Severity::Warning,
-    message: "A line is not a point and was skipped",
-    expected: "`[x, y, z],`",
-    hint: "It takes no point number; begin remarks with # or %",
-};
-const BROKEN_ROW: Kind = Kind {
-    severity: Severity::Error,
-    message: "A point could not be read",
-    expected: "three finite numbers, `[x, y, z],`",
-    hint: "It keeps its number and is left out; write decimals with a point",
-};
-const CUT_OFF: Kind = Kind {
-    severity: Severity::Error,
-    message: "The file ends within a point",
-    expected: "`]`",
-    hint: "The point is left out; fetch the file again",
-};
-const NO_ROW_END: Kind = Kind {
-    severity: Severity::Warning,
-    message: "A point is not closed",
-    expected: "`]` after the third number",
-    hint: "",
-};
-const NO_COMMAS: Kind = Kind {
-    severity: Severity::Note,
-    message: "Coordinates are not separated by commas",
-    expected: "`[x, y, z],`",
-    hint: "They are read all the same",
-};
-const NO_BRACKETS: Kind = Kind {
-    severity: Severity::Note,
-    message: "Points stand without brackets",
-    expected: "`[x, y, z],`",
-    hint: "Each line is read as a point",
-};
-const NOT_CLOSED: Kind = Kind {
-    severity: Severity::Warning,
-    message: "The list of points is not closed",
-    expected: "`];`",
-    hint: "If the file was cut off, fetch it again",
-};
-const AFTER_END: Kind = Kind {
-    severity: Severity::Warning,
-    message: "What follows the end of the list was not read",
-    expected: "nothing after `];`",
-    hint: "",
-};
-const TOO_MANY: Kind = Kind {
-    severity: Severity::Error,
-    message: "The cloud has too many points; the rest was not read",
-    expected: "at most 10,000,000 points",
-    hint: "Thin the cloud",
-};
 
 /// Rows read before the length of the rest is estimated from them.
 const ROWS_TO_JUDGE_BY: usize = 1024;
@@ -195,10 +71,7 @@ impl<'a> Reader<'a> {
             }
         }
         let text = CloudText {
-            numbering: Numbering {
-                rows: self.points.len() + self.broken.len(),
-                broken: self.broken,
-            },
+            numbering: Numbering::with_broken(self.rows(), self.broken),
             cloud: Cloud::new(self.points),
         };
         (text, self.findings.finish())
@@ -401,66 +274,4 @@ impl<'a> Reader<'a> {
             self.findings.add(&AFTER_END, self.cursor.at);
         }
     }
-}
-
-/// The numbers of a row as they come.
-#[derive(Default)]
-struct OddRow {
-    values: [f64; 3],
-    count: usize,
-    /// Commas since the last number.
-    commas: usize,
-    /// Where something that is no number stands.
-    wrong: Option<usize>,
-    /// Where a comma is missing.
-    no_comma: Option<usize>,
-}
-
-impl OddRow {
-    fn number(&mut self, value: f64, at: usize) {
-        if self.count > 0 && self.commas == 0 {
-            self.no_comma.get_or_insert(at);
-        }
-        if let Some(slot) = self.values.get_mut(self.count) {
-            *slot = value;
-        }
-        self.count += 1;
-        self.commas = 0;
-    }
-
-    fn comma(&mut self, at: usize) {
-        self.commas += 1;
-        if self.commas > 1 || self.count == 0 {
-            self.wrong.get_or_insert(at);
-        }
-    }
-
-    fn point(&self) -> Option<Point> {
-        (self.count == 3 && self.wrong.is_none()).then(|| Point::from(self.values))
-    }
-}
-
-/// A row exactly as the paper writes it, white space aside, from its bracket to past its end.
-#[inline]
-fn paper_row(bytes: &[u8], start: usize) -> Option<(Point, usize)> {
-    let (x, at) = number::read(bytes, past(bytes, start, b'[')?)?;
-    let (y, at) = number::read(bytes, past(bytes, at, b',')?)?;
-    let (z, at) = number::read(bytes, past(bytes, at, b',')?)?;
-    let end = past_blanks(bytes, at);
-    (bytes.get(end) == Some(&b']')).then(|| (Point::new(x, y, z), end + 1))
-}
-
-/// Past a mark and the blanks on both sides of it.
-#[inline]
-fn past(bytes: &[u8], at: usize, mark: u8) -> Option<usize> {
-    let at = past_blanks(bytes, at);
-    (bytes.get(at) == Some(&mark)).then(|| past_blanks(bytes, at + 1))
-}
-
-#[inline]
-fn past_blanks(bytes: &[u8], mut at: usize) -> usize {
-    while bytes.get(at).is_some_and(|&byte| is_whitespace(byte)) {
-        at += 1;
-    }
-    at
 }
