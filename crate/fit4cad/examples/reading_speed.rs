@@ -1,6 +1,4 @@
 //! Measures how fast files are read: `cargo run --release --example reading_speed`.
-//!
-//! Measured natively on a 2-core cloud machine and noted in the module `format::cloud`.
 
 use std::fmt::Write;
 use std::time::Instant;
