@@ -119,10 +119,20 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
             if let Some(curvature) = Curvature::of(patch) {
                 tori(&curvature, &mut surfaces);
             }
+            // Polishing a torus takes longer than measuring how far off it starts.
+            surfaces.sort_by_cached_key(|surface| {
+                let squares: f64 = patch.iter().map(|p| surface.distance(p).powi(2)).sum();
+                // The bits of a float that is not negative are ordered as it is.
+                squares.to_bits()
+            });
+            surfaces.truncate(TORUS_STARTS);
         }
     }
     surfaces
 }
+
+/// Starts of a torus worth polishing.
+const TORUS_STARTS: usize = 4;
 
 /// The sphere |x|² = 2 c·x + (r² - |c|²), linear in its unknowns.
 fn algebraic_sphere(patch: &[Point]) -> Option<Sphere> {
@@ -199,38 +209,45 @@ fn tori(curvature: &Curvature, surfaces: &mut Vec<Surface>) {
 
 /// The least-squares surface of those points of a patch that agree with a start to `tolerance`,
 /// and which they are. `None` where fewer than `needed` do.
+///
+/// Others than the best of the patch are given less and less say. On the right track the median
+/// distance collapses from round to round; where it does not, no surface is hidden in the patch,
+/// and most hypotheses end there.
 pub fn polish(
     start: &Surface,
     patch: &[Point],
     tolerance: f64,
     needed: usize,
 ) -> Option<(Surface, Vec<usize>)> {
-    let mut surface = least_squares::fit(start, patch, Loss::Squares)?.surface;
+    let mut surface = least_squares::approximate(start, patch, Loss::Squares)?.surface;
     let mut distances = Vec::with_capacity(patch.len());
-    let inliers = |surface: &Surface| -> Vec<usize> {
-        (0..patch.len())
-            .filter(|&i| surface.distance(&patch[i]) <= tolerance)
-            .collect()
-    };
-    let mut agreeing = inliers(&surface);
-    if agreeing.len() < patch.len() {
-        // Others than the best of the patch are given less and less say.
-        for _ in 0..ROBUST_ROUNDS {
-            distances.clear();
-            distances.extend(patch.iter().map(|point| surface.distance(point)));
-            let cut_off = (3.0 * super::scale::quantile(&mut distances, 0.5)).max(2.0 * tolerance);
-            surface = least_squares::fit(&surface, patch, Loss::Biweight(cut_off))?.surface;
-            if cut_off <= 2.0 * tolerance {
-                break;
-            }
+    let mut last = f64::INFINITY;
+    for _ in 0..ROBUST_ROUNDS {
+        distances.clear();
+        distances.extend(patch.iter().map(|point| surface.distance(point)));
+        let median = super::scale::quantile(&mut distances, 0.5);
+        let largest = distances.iter().copied().fold(0.0, f64::max);
+        if largest <= tolerance {
+            break;
         }
-        agreeing = inliers(&surface);
+        if median > tolerance.max(0.5 * last) {
+            return None;
+        }
+        last = median;
+        let cut_off = (3.0 * median).max(2.0 * tolerance);
+        surface = least_squares::approximate(&surface, patch, Loss::Biweight(cut_off))?.surface;
+        if cut_off <= 2.0 * tolerance {
+            break;
+        }
     }
+    let agreeing: Vec<usize> = (0..patch.len())
+        .filter(|&i| surface.distance(&patch[i]) <= tolerance)
+        .collect();
     let needed = needed.max(degrees_of_freedom(surface.kind()) + 1);
     (agreeing.len() >= needed).then_some((surface, agreeing))
 }
 
-const ROBUST_ROUNDS: usize = 4;
+const ROBUST_ROUNDS: usize = 6;
 
 /// How well the best simple surface passes through a patch: its residual standard deviation.
 /// Simple means plane, sphere or cylinder: enough for the noise of a cloud that has any of them.

@@ -7,22 +7,23 @@ use super::charts::Chart;
 use crate::cloud::Vector;
 use crate::surface::Surface;
 
-const ITERATIONS: usize = 60;
 /// Steps shorter than this, in units of the patch, change nothing.
 const SETTLED: f64 = 1e-14;
 
 /// The surface that minimises Σ loss(d) over points of unit size, and its root (weighted) mean
 /// squared distance. Each step solves (JᵀWJ + μ diag) δ = -JᵀWd; μ falls after a step that
-/// lowers the cost and rises after one that does not, which is then not taken.
+/// lowers the cost and rises after one that does not, which is then not taken. Ends after `steps`
+/// at the latest.
 pub(super) fn minimise<const N: usize, C: Chart<N>>(
     start: C,
     points: &[Vector],
     loss: Loss,
+    steps: usize,
 ) -> Option<(Surface, f64)> {
     let mut chart = start;
     let mut cost = total_cost(&chart, points, loss);
     let mut damping = 1e-4;
-    for _ in 0..ITERATIONS {
+    for _ in 0..steps {
         let (normal, gradient) = normal_equations(&chart, points, loss);
         let mut improvement = None;
         // An exhausted damping means that no step helps: a minimum to machine precision.

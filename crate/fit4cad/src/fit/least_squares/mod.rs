@@ -84,6 +84,16 @@ pub const fn degrees_of_freedom(kind: SurfaceType) -> usize {
 /// `None` where there are fewer points than degrees of freedom, or the points do not determine a
 /// surface near the start (it flies off to infinity). O(iterations × points).
 pub fn fit(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
+    fit_within(start, points, loss, 60)
+}
+
+/// As [`fit`], but with so few steps that a bad start is given up early: for hypotheses, most of
+/// which are wrong.
+pub fn approximate(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
+    fit_within(start, points, loss, 12)
+}
+
+fn fit_within(start: &Surface, points: &[Point], loss: Loss, steps: usize) -> Option<Fitted> {
     if points.len() < degrees_of_freedom(start.kind()) {
         return None;
     }
@@ -93,10 +103,14 @@ pub fn fit(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
     let loss = loss.scaled(1.0 / frame.scale);
     let (surface, error) = match start {
         Surface::Plane(plane) => fit_plane(&plane, &local, loss)?,
-        Surface::Cylinder(shape) => minimise(charts::CylinderChart::new(&shape), &local, loss)?,
-        Surface::Cone(shape) => minimise(charts::ConeChart::new(&shape, &local), &local, loss)?,
-        Surface::Sphere(shape) => minimise(charts::SphereChart::new(&shape), &local, loss)?,
-        Surface::Torus(shape) => minimise(charts::TorusChart::new(&shape), &local, loss)?,
+        Surface::Cylinder(shape) => {
+            minimise(charts::CylinderChart::new(&shape), &local, loss, steps)?
+        }
+        Surface::Cone(shape) => {
+            minimise(charts::ConeChart::new(&shape, &local), &local, loss, steps)?
+        }
+        Surface::Sphere(shape) => minimise(charts::SphereChart::new(&shape), &local, loss, steps)?,
+        Surface::Torus(shape) => minimise(charts::TorusChart::new(&shape), &local, loss, steps)?,
     };
     Some(Fitted {
         surface: frame.leave_surface(&surface),
@@ -116,7 +130,7 @@ pub fn fit_cone_near(cylinder: &Cylinder, points: &[Point], loss: Loss) -> Optio
         return None;
     };
     let chart = charts::ConeChart::from_cylinder(&start);
-    let (surface, error) = minimise(chart, &local, loss.scaled(1.0 / frame.scale))?;
+    let (surface, error) = minimise(chart, &local, loss.scaled(1.0 / frame.scale), 20)?;
     Some(Fitted {
         surface: frame.leave_surface(&surface),
         error: error * frame.scale,
