@@ -15,43 +15,55 @@ const SIZES: [usize; 3] = [10, 16, 28];
 /// A plane that grew to so many unexplained points needs no rival.
 const CLEAR: usize = 60;
 
-/// Finds surfaces through unexplained points until no seed leads to another.
+/// What a pass of [`greedy`] looks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pass {
+    /// Faces with an inside.
+    Faces,
+    /// Faces that are all border: thin walls, chamfers, rings, fillets of three rulings. Any sphere
+    /// and torus about the axis passes through a ring, so only the simpler types count here.
+    Borders,
+}
+
+/// Finds surfaces through unexplained points until no seed leads to another: first faces with an
+/// inside, then what must lie between their borders.
 ///
 /// Seeds are visited in random order. Where a seed leads nowhere, as in free-form regions, its
 /// neighbours are not tried in the same round: most of the time would go there.
 pub fn greedy(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
-    let count = search.cloud.len();
-    let mut order: Vec<u32> = (0u32..).take(count).collect();
+    let mut order: Vec<u32> = (0u32..).take(search.cloud.len()).collect();
     search.random.shuffle(&mut order);
-    let mut remaining = count.max(1);
-    let mut blocked = vec![0u8; count];
-    for round in 0..2u8 {
-        let block = if round == 0 { 16 } else { 6 };
-        let mut failures = 0;
-        for &seed in &order {
-            if search.is_explained(seed) || blocked[seed as usize] > round {
-                continue;
-            }
-            match at(search, seed) {
-                Some(candidate) => {
-                    remaining -= search.own(&candidate).min(remaining);
-                    keep(search, candidate, observer);
-                    let done = 1.0 - remaining as f64 / count as f64;
-                    observer.progress(Stage::Find, 0.9 * done)?;
+    round(search, Pass::Faces, &order, 16, observer)?;
+    round(search, Pass::Faces, &order, 6, observer)?;
+    search.reopen_borders();
+    round(search, Pass::Borders, &order, 6, observer)
+}
+
+fn round(
+    search: &mut Search<'_>,
+    pass: Pass,
+    order: &[u32],
+    block: usize,
+    observer: &mut dyn Observer,
+) -> Result<(), Cancelled> {
+    let mut blocked = vec![false; order.len()];
+    let mut failures = 0;
+    for (place, &seed) in order.iter().enumerate() {
+        if place % 256 == 0 {
+            observer.progress(Stage::Find, place as f64 / order.len() as f64)?;
+        }
+        if search.is_explained(seed) || blocked[seed as usize] {
+            continue;
+        }
+        match at(search, pass, seed) {
+            Some(candidate) => keep(search, candidate, observer),
+            None => {
+                for index in search.unexplained_near(seed, block) {
+                    blocked[index as usize] = true;
                 }
-                None => {
-                    blocked[seed as usize] = round + 1;
-                    for index in search.unexplained_near(seed, block) {
-                        blocked[index as usize] = round + 1;
-                    }
-                    failures += 1;
-                    if failures % 64 == 0 {
-                        let done = 1.0 - remaining as f64 / count as f64;
-                        observer.progress(Stage::Find, 0.9 * done)?;
-                    }
-                    if failures > MOST_FAILURES {
-                        break;
-                    }
+                failures += 1;
+                if failures > MOST_FAILURES {
+                    break;
                 }
             }
         }
@@ -73,7 +85,7 @@ fn keep(search: &mut Search<'_>, candidate: Candidate, observer: &mut dyn Observ
 }
 
 /// The best surface through the unexplained points around a seed, if any is worth keeping.
-pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
+pub fn at(search: &mut Search<'_>, pass: Pass, seed: u32) -> Option<Candidate> {
     let mut candidates: Vec<Candidate> = Vec::new();
     for size in SIZES {
         let patch = search.unexplained_near(seed, size);
@@ -86,7 +98,10 @@ pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
             SurfaceType::Cylinder,
             SurfaceType::Cone,
         ] {
-            hypotheses(search, kind, &patch, &mut candidates);
+            if kind == SurfaceType::Sphere && pass == Pass::Borders {
+                continue;
+            }
+            hypotheses(search, pass, kind, &patch, &mut candidates);
             let clear = candidates
                 .iter()
                 .any(|c| c.surface.kind() == SurfaceType::Plane && search.own(c) >= CLEAR);
@@ -95,9 +110,9 @@ pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
             }
         }
     }
-    if !candidates.iter().any(|c| search.own(c) >= CLEAR) {
+    if pass == Pass::Faces && !candidates.iter().any(|c| search.own(c) >= CLEAR) {
         let patch = search.unexplained_near(seed, SIZES[2]);
-        hypotheses(search, SurfaceType::Torus, &patch, &mut candidates);
+        hypotheses(search, pass, SurfaceType::Torus, &patch, &mut candidates);
     }
     search.best(candidates)
 }
@@ -105,12 +120,18 @@ pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
 /// Grows the hypotheses of one family through a patch and adds those worth keeping.
 fn hypotheses(
     search: &mut Search<'_>,
+    pass: Pass,
     kind: SurfaceType,
     patch: &[u32],
     candidates: &mut Vec<Candidate>,
 ) {
     let points = search.points(patch);
-    let needed = points.len() / 2;
+    // A third suffices for a plane: the patch may hold both sheets of a thin wall and its rim.
+    let needed = if kind == SurfaceType::Plane {
+        points.len() / 3
+    } else {
+        points.len() / 2
+    };
     let mut surfaces = starts(kind, &points);
     if kind == SurfaceType::Cone {
         // A cylinder that almost fits may be a cone.
@@ -138,18 +159,31 @@ fn hypotheses(
             continue;
         }
         if let Some(candidate) = search.grow(&surface, &seeds)
-            && is_worth_keeping(search, &candidate)
+            && is_worth_keeping(search, pass, &candidate)
         {
             candidates.push(candidate);
         }
     }
 }
 
-/// Whether a candidate explains enough that nothing else does, and ends sharply.
-fn is_worth_keeping(search: &mut Search<'_>, candidate: &Candidate) -> bool {
+/// Whether a candidate explains enough that nothing else does, is a face rather than a curve, and
+/// ends sharply.
+fn is_worth_keeping(search: &mut Search<'_>, pass: Pass, candidate: &Candidate) -> bool {
     let smallest = Parameters::count(search.parameters.smallest);
     let redundant = least_squares::degrees_of_freedom(candidate.surface.kind()) + 3;
-    candidate.support.len() >= smallest.max(redundant)
-        && search.own(candidate) >= smallest.max(3)
-        && !search.has_fuzzy_border(candidate)
+    let own = search.own(candidate);
+    if candidate.support.len() < smallest.max(redundant) || own < smallest.max(3) {
+        return false;
+    }
+    let thickness = search.thickness(candidate);
+    let is_wide = match pass {
+        Pass::Faces => thickness >= FACE,
+        Pass::Borders => thickness >= ROWS && 2 * own >= candidate.support.len(),
+    };
+    is_wide && !search.has_fuzzy_border(candidate)
 }
+
+/// Mean number of own neighbours among the eight nearest: of a patch with an inside.
+const FACE: f64 = 5.2;
+/// And of two rows of points, rather than one.
+const ROWS: f64 = 3.0;

@@ -102,6 +102,10 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
             surfaces.extend(Spread::of(patch.iter()).map(|spread| {
                 Surface::Plane(Plane::new(spread.centroid, spread.normal().into_inner()))
             }));
+            // A band of a hundredth of the patch holds its plane and not much else.
+            let band = 0.01 * Bounds::of(patch).diagonal();
+            surfaces
+                .extend(plane_through_seed(patch, band).map(|(plane, _)| Surface::Plane(plane)));
         }
         SurfaceType::Sphere => surfaces.extend(algebraic_sphere(patch).map(Surface::Sphere)),
         SurfaceType::Cylinder | SurfaceType::Cone => {
@@ -129,6 +133,34 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
         }
     }
     surfaces
+}
+
+/// The plane through the first point of a patch and two of the next few that most of the patch lies
+/// on to `tolerance`, and how many points that is. Unlike a mean over the patch it is not misled by
+/// the other sheet of a thin wall.
+pub fn plane_through_seed(patch: &[Point], tolerance: f64) -> Option<(Plane, usize)> {
+    let (seed, others) = patch.split_first()?;
+    let near = &others[..others.len().min(8)];
+    let mut best: Option<(Plane, usize)> = None;
+    for (i, first) in near.iter().enumerate() {
+        for second in &near[i + 1..] {
+            let (u, v) = (first - seed, second - seed);
+            let normal = u.cross(&v);
+            // Nearly in line, they say nothing about the plane.
+            if normal.norm() < 0.2 * u.norm() * v.norm() || normal.norm() == 0.0 {
+                continue;
+            }
+            let plane = Plane::new(*seed, normal);
+            let on = patch
+                .iter()
+                .filter(|p| (p.coords.dot(&plane.normal) - plane.offset).abs() <= tolerance)
+                .count();
+            if best.as_ref().is_none_or(|(_, most)| on > *most) {
+                best = Some((plane, on));
+            }
+        }
+    }
+    best
 }
 
 /// Starts of a torus worth polishing.

@@ -3,6 +3,7 @@
 use super::local;
 use crate::cloud::neighbours::Neighbourhoods;
 use crate::cloud::{Cloud, Point};
+use crate::surface::SurfaceType;
 
 /// Lengths that everything else is relative to, in the units of the cloud. None depends on the
 /// orientation of the axes beyond what the bounding box does.
@@ -18,9 +19,13 @@ pub struct Scale {
     pub tolerance: f64,
 }
 
-/// Tolerance of a cloud without noise, in diagonals. The benchmark's points lie on their surfaces
-/// to 1e-7 of the diagonal; between 1e-6 and 1e-5 results do not change, above they get worse.
-const CLEAN: f64 = 3e-6;
+/// Tolerances of clouds with no noise to speak of, in diagonals, tried in turn. The benchmark's
+/// points lie on their surfaces to 1e-7 of the diagonal; between 1e-6 and 1e-5 results do not change,
+/// above they get worse. The larger ones serve clouds whose coordinates were rounded.
+const LEVELS: [f64; 3] = [3e-6, 1e-5, 4e-5];
+/// Share of small patches with an exact surface through half their points that makes a cloud exact.
+/// Noise leaves none; free-form regions, edges and thin walls leave fewer.
+const EXACT_SHARE: f64 = 0.1;
 /// Tolerance in standard deviations: 0.5 % of Gaussian points lie beyond it.
 const SIGMAS: f64 = 2.8;
 /// Local patches measured to estimate the noise.
@@ -31,8 +36,19 @@ impl Scale {
     pub fn measure(cloud: &Cloud, graph: &Neighbourhoods, tolerance: f64) -> Self {
         let diagonal = cloud.bounds().diagonal();
         let spacing = spacing(cloud.points(), graph);
-        let noise = noise(cloud.points(), graph);
-        let estimated = (CLEAN * diagonal).max(SIGMAS * noise);
+        let exact = LEVELS
+            .into_iter()
+            .map(|level| level * diagonal)
+            .find(|&level| {
+                share_of_exact_patches(cloud.points(), graph, level, diagonal) >= EXACT_SHARE
+            });
+        let (noise, estimated) = match exact {
+            Some(level) => (level / SIGMAS, level),
+            None => {
+                let noise = noise(cloud.points(), graph);
+                (noise, SIGMAS * noise)
+            }
+        };
         Self {
             diagonal,
             spacing,
@@ -65,21 +81,58 @@ fn spacing(points: &[Point], graph: &Neighbourhoods) -> f64 {
     quantile(&mut distances, 0.5)
 }
 
+/// Share of sampled neighbourhoods at least half of which lie on one surface to the tolerance.
+fn share_of_exact_patches(
+    points: &[Point],
+    graph: &Neighbourhoods,
+    tolerance: f64,
+    diagonal: f64,
+) -> f64 {
+    let kinds = [
+        SurfaceType::Plane,
+        SurfaceType::Cylinder,
+        SurfaceType::Sphere,
+    ];
+    let stride = points.len().div_ceil(SAMPLES / 4).max(1);
+    let (mut exact, mut all) = (0u32, 0u32);
+    for index in (0u32..).take(points.len()).step_by(stride) {
+        let patch = patch(points, graph, index);
+        all += 1;
+        let is_exact = |patch: &[Point], needed: usize| {
+            kinds.into_iter().any(|kind| {
+                local::starts(kind, patch)
+                    .iter()
+                    .any(|start| local::polish(start, patch, tolerance, needed).is_some())
+            })
+        };
+        // The few nearest points are on one sheet where the sheets of a thin wall are close.
+        let few = &patch[..patch.len().min(10)];
+        let found = is_exact(&patch, patch.len().div_ceil(2)) || is_exact(few, few.len());
+        let found =
+            found || local::plane_through_seed(&patch, tolerance).is_some_and(|(_, on)| on >= 6);
+        exact += u32::from(found);
+    }
+    f64::from(exact) / f64::from(all.max(1))
+}
+
+/// A point and its neighbours.
+fn patch(points: &[Point], graph: &Neighbourhoods, index: u32) -> Vec<Point> {
+    let neighbours = graph.of(index).iter();
+    std::iter::once(index)
+        .chain(neighbours.copied())
+        .map(|i| points[i as usize])
+        .collect()
+}
+
 /// Standard deviation off the surfaces: the residual of the best simple surface through small
 /// neighbourhoods. Edges and free-form regions have larger residuals for other reasons, so a low
 /// quantile over the cloud is taken.
 fn noise(points: &[Point], graph: &Neighbourhoods) -> f64 {
     let stride = points.len().div_ceil(SAMPLES).max(1);
-    let mut patch = Vec::new();
     let mut residuals: Vec<f64> = (0u32..)
-        .zip(points)
+        .take(points.len())
         .step_by(stride)
-        .filter_map(|(index, point)| {
-            patch.clear();
-            patch.push(*point);
-            patch.extend(graph.of(index).iter().map(|&j| points[j as usize]));
-            local::residual(&patch)
-        })
+        .filter_map(|index| local::residual(&patch(points, graph, index)))
         .collect();
     quantile(&mut residuals, 0.3)
 }

@@ -1,6 +1,8 @@
 //! The state of a search for surfaces: the cloud with its neighbours and scale, what has been
 //! accepted and what that explains, and the three steps every method takes (grow, compare, accept).
 
+use std::f64::consts::TAU;
+
 use super::least_squares::{self, Loss, degrees_of_freedom};
 use super::{Candidate, Parameters, Scale};
 use crate::cloud::neighbours::{KdTree, Neighbour, Neighbourhoods};
@@ -27,6 +29,10 @@ pub struct Search<'a> {
     accepted: Vec<Candidate>,
     /// How many accepted surfaces hold each point.
     claims: Vec<u32>,
+    /// The accepted surface that held each point last.
+    holder: Vec<u32>,
+    /// Whether something is still to be explained about each point.
+    open: Vec<bool>,
     marks: Marks,
 }
 
@@ -55,6 +61,12 @@ impl Marks {
     }
 }
 
+impl Marks {
+    fn contains(&self, index: u32) -> bool {
+        self.stamps[index as usize] == self.current
+    }
+}
+
 impl<'a> Search<'a> {
     /// Prepares a cloud. O(n log n) time, about 130 bytes a point.
     pub fn new(cloud: &'a Cloud, parameters: &Parameters, seed: u64) -> Self {
@@ -70,6 +82,8 @@ impl<'a> Search<'a> {
             random: fastrand::Rng::with_seed(seed),
             accepted: Vec::new(),
             claims: vec![0; cloud.len()],
+            holder: vec![u32::MAX; cloud.len()],
+            open: vec![true; cloud.len()],
             marks: Marks {
                 stamps: vec![0; cloud.len()],
                 current: 0,
@@ -93,9 +107,77 @@ impl<'a> Search<'a> {
         &self.accepted
     }
 
-    /// Whether an accepted surface holds the point.
+    /// Whether nothing is left to explain about a point: an accepted surface holds it, and after
+    /// [`Search::reopen_borders`] also what lies beyond where that surface ends.
     pub fn is_explained(&self, index: u32) -> bool {
-        self.claims[index as usize] > 0
+        !self.open[index as usize]
+    }
+
+    /// Opens the points at which a surface ends and no other takes over. They have one label, and
+    /// their neighbours on its surface leave a gap around them: there a face is missing that has no
+    /// points of its own, as thin walls, chamfers and countersinks have not. O(n).
+    pub fn reopen_borders(&mut self) {
+        /// Widest angle between neighbours inside a face: well above the ⅓ π of an even sampling,
+        /// below the π of a straight edge.
+        const GAP: f64 = 1.9;
+        for index in (0u32..).take(self.cloud.len()) {
+            if self.claims[index as usize] == 1 && self.gap(index) > GAP {
+                self.open[index as usize] = true;
+            }
+        }
+    }
+
+    /// The widest angle, in the tangent plane, between neighbours of a point on its surface; zero
+    /// for a point all of whose neighbours are.
+    fn gap(&self, index: u32) -> f64 {
+        let holder = self.holder[index as usize];
+        let candidate = &self.accepted[holder as usize];
+        let near = self.graph.of(index);
+        let on = |&i: &u32| candidate.support.binary_search(&i).is_ok();
+        if near.iter().all(on) {
+            return 0.0;
+        }
+        let point = self.point(index);
+        let normal = candidate.surface.normal(point);
+        let first = crate::surface::across(&normal);
+        let second = normal.cross(&first);
+        let mut angles: Vec<f64> = near
+            .iter()
+            .filter(|i| on(i))
+            .map(|&i| {
+                let step = self.point(i) - point;
+                step.dot(&second).atan2(step.dot(&first))
+            })
+            .collect();
+        angles.sort_by(f64::total_cmp);
+        let Some(last) = angles.last() else {
+            return TAU;
+        };
+        let mut before = last - TAU;
+        let mut widest = 0f64;
+        for &angle in &angles {
+            widest = widest.max(angle - before);
+            before = angle;
+        }
+        widest
+    }
+
+    /// Mean number of the eight nearest neighbours of a candidate's points that are its points too:
+    /// near 8 for a wide patch, 5 for two rows, 2 for a single curve.
+    pub fn thickness(&mut self, candidate: &Candidate) -> f64 {
+        self.marks.clear();
+        for &index in &candidate.support {
+            self.marks.insert(index);
+        }
+        let near = |&i: &u32| {
+            self.graph
+                .of(i)
+                .iter()
+                .take(8)
+                .filter(|&&j| self.marks.contains(j))
+        };
+        let links: usize = candidate.support.iter().map(|i| near(i).count()).sum();
+        links as f64 / candidate.support.len().max(1) as f64
     }
 
     /// The up to `count` unexplained points nearest to a point, itself first if unexplained.
@@ -277,8 +359,12 @@ impl<'a> Search<'a> {
 
     /// Keeps a candidate; its points are explained from now on.
     pub fn accept(&mut self, candidate: Candidate) {
+        // Candidates are fewer than points, which u32 counts.
+        let place = self.accepted.len() as u32;
         for &index in &candidate.support {
             self.claims[index as usize] += 1;
+            self.holder[index as usize] = place;
+            self.open[index as usize] = false;
         }
         self.accepted.push(candidate);
     }
