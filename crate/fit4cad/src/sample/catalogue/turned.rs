@@ -84,13 +84,13 @@ pub fn nozzle() -> Part {
     let hexagon: Vec<[f64; 2]> = (0..6)
         .map(|k| {
             let (sin, cos) = libm::sincos(f64::from(k) * FRAC_PI_3);
-            [27.0 * cos, 27.0 * sin]
+            [31.0 * cos, 31.0 * sin]
         })
         .collect();
-    let hexagon = Outline::new(Loop::polygon(&hexagon)).hole(Loop::circle([0.0, 0.0], 22.0));
+    let hexagon = Outline::new(Loop::polygon(&hexagon)).hole(Loop::circle([0.0, 0.0], 20.0));
     Part::new()
         .add(Solid::revolve(Outline::new(profile)))
-        .add(Solid::extrude(hexagon, 8.0).at([0.0, 0.0, 16.0]))
+        .add(Solid::extrude(hexagon, 14.0).at([0.0, 0.0, 12.0]))
 }
 
 pub fn spool() -> Part {
