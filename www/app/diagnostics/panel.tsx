@@ -1,0 +1,110 @@
+// What is wrong with the input, said so that a person can act on it.
+
+import type { JSX } from "preact";
+import { signal } from "@preact/signals";
+import type { Severity } from "../engine/contract";
+import { notify } from "../state/notices";
+import { selectedModel, selectModel } from "../state/selection";
+import { plural } from "../ui/format";
+import { Icon } from "../ui/icon";
+import { asText, findings, placeOf, type Finding } from "./findings";
+
+const onlySelected = signal(false);
+
+/** More would not be read, and would slow the page. */
+const SHOWN_AT_MOST = 500;
+
+export default function DiagnosticsPanel(): JSX.Element {
+  const all = findings.value;
+  const wanted = onlySelected.value ? all.filter(({ model }) => model === selectedModel.value) : all;
+  const shown = wanted.slice(0, SHOWN_AT_MOST);
+  return (
+    <div class="diagnostics">
+      <div class="panel-tools">
+        <p>{summary(wanted)}</p>
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={onlySelected.value}
+            onChange={(event) => (onlySelected.value = event.currentTarget.checked)}
+          />
+          Selected model only
+        </label>
+        <button type="button" disabled={wanted.length === 0} onClick={() => void copy(wanted)}>
+          <Icon name="copy" />
+          Copy all
+        </button>
+      </div>
+      {shown.length === 0 ? (
+        <p class="empty">
+          <Icon name="check" /> Nothing to report: every file was placed and read in full.
+        </p>
+      ) : (
+        <ul>
+          {shown.map((finding, i) => (
+            <Item key={i} finding={finding} />
+          ))}
+        </ul>
+      )}
+      {wanted.length > shown.length && <p class="empty">… and {plural(wanted.length - shown.length, "more")}; “Copy all” has them.</p>}
+    </div>
+  );
+}
+
+function summary(list: readonly Finding[]): string {
+  const count = (severity: Severity) => list.filter((finding) => finding.severity === severity).length;
+  return (["error", "warning", "note"] as const)
+    .flatMap((severity) => (count(severity) > 0 ? [plural(count(severity), severity)] : []))
+    .join(", ");
+}
+
+function Item({ finding }: { finding: Finding }): JSX.Element {
+  const { severity, message, found, expected, hint, model } = finding;
+  return (
+    <li data-severity={severity}>
+      <span class={`mark ${severity}`}>
+        <Icon name={severity === "note" ? "note" : "error"} />
+        {severity}
+      </span>
+      <div>
+        <p class="message">{message}</p>
+        {(found || expected) && (
+          <p class="details">
+            {found && (
+              <>
+                found <code>{found}</code>
+              </>
+            )}
+            {found && expected && ", "}
+            {expected && (
+              <>
+                expected <code>{expected}</code>
+              </>
+            )}
+          </p>
+        )}
+        {hint && <p class="hint">{hint}</p>}
+        <p class="place">
+          {model !== undefined && (
+            <button type="button" class="link" onClick={() => selectModel(model)}>
+              {model}
+            </button>
+          )}
+          <code>{placeOf(finding)}</code>
+        </p>
+      </div>
+      <button type="button" class="icon" aria-label="Copy this finding" onClick={() => void copy([finding])}>
+        <Icon name="copy" />
+      </button>
+    </li>
+  );
+}
+
+async function copy(list: readonly Finding[]): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(list.map(asText).join("\n"));
+    notify(`${plural(list.length, "finding")} copied.`);
+  } catch {
+    notify("The browser did not allow copying.", "error");
+  }
+}

@@ -1,0 +1,163 @@
+// Which file plays which part in which model, and correcting it by hand.
+
+import type { JSX } from "preact";
+import { computed } from "@preact/signals";
+import type { Override, Role } from "../engine/contract";
+import { brought, clear, ignored, override, overrides, remove, unplaced } from "../state/inbox";
+import { modelById } from "../state/models";
+import { selectedModel } from "../state/selection";
+import * as format from "../ui/format";
+
+const ROLES: readonly { id: Role; title: string }[] = [
+  { id: "cloud", title: "point cloud" },
+  { id: "primitives", title: "primitives" },
+  { id: "parametric", title: "parametric" },
+  { id: "implicit", title: "implicit" },
+];
+
+interface FileRow {
+  readonly path: string;
+  readonly model: string;
+  readonly role: Role | undefined;
+  readonly method: string | undefined;
+  readonly size: number;
+  readonly reason?: string;
+  /** Made here, hence nothing to correct. */
+  readonly made: boolean;
+}
+
+const rows = computed<readonly FileRow[]>(() => {
+  const entry = modelById(selectedModel.value);
+  const placed = (entry?.source.files ?? []).map(
+    ({ path, role, method, data }): FileRow => ({
+      path,
+      model: entry?.id ?? "",
+      role,
+      method,
+      size: data.size,
+      made: !brought.value.has(path),
+    }),
+  );
+  const rest = unplaced.value.map(
+    ({ path, reason }): FileRow => ({
+      path,
+      model: "",
+      role: undefined,
+      method: undefined,
+      size: brought.value.get(path)?.data.size ?? 0,
+      reason,
+      made: !brought.value.has(path),
+    }),
+  );
+  return [...rest, ...placed];
+});
+
+export default function FilesPanel(): JSX.Element {
+  const entry = modelById(selectedModel.value);
+  return (
+    <div class="files">
+      <div class="panel-tools">
+        <p>
+          {format.plural(unplaced.value.length, "file")} not placed
+          {ignored.value > 0 && `, ${format.plural(ignored.value, "litter file")} ignored`}
+        </p>
+        {entry && (
+          <button type="button" onClick={() => remove(entry.id)}>
+            Remove {entry.id}
+          </button>
+        )}
+        <button type="button" onClick={clear}>
+          Remove everything
+        </button>
+      </div>
+      {rows.value.length === 0 ? (
+        <p class="empty">No files.</p>
+      ) : (
+        <table>
+          <caption>{entry ? `Files of ${entry.id}, and those that belong to no model` : "Files"}</caption>
+          <thead>
+            <tr>
+              <th scope="col">File</th>
+              <th scope="col">Model</th>
+              <th scope="col">Is</th>
+              <th scope="col">Method (empty: truth)</th>
+              <th scope="col" class="numeric">
+                Size
+              </th>
+              <th scope="col">Correction</th>
+            </tr>
+          </thead>
+          <tbody>
+            {rows.value.map((row) => (
+              <Row key={row.path} row={row} />
+            ))}
+          </tbody>
+        </table>
+      )}
+    </div>
+  );
+}
+
+function Row({ row }: { row: FileRow }): JSX.Element {
+  const { path, model, role, method, size, reason, made } = row;
+  const corrected = overrides.value[path];
+  const change = (part: Override) => void override(path, { ...corrected, ...part });
+  return (
+    <tr class={reason ? "unplaced" : undefined}>
+      <th scope="row">
+        <code>{path}</code>
+        {reason && <p class="hint">{reason}</p>}
+      </th>
+      <td>
+        {made ? (
+          model
+        ) : (
+          <input
+            type="text"
+            aria-label={`Model of ${path}`}
+            value={corrected?.model ?? model}
+            onChange={(event) => change({ model: event.currentTarget.value.trim() })}
+          />
+        )}
+      </td>
+      <td>
+        {made ? (
+          role
+        ) : (
+          <select
+            aria-label={`What ${path} is`}
+            value={role ?? ""}
+            onChange={(event) => change({ role: event.currentTarget.value as Role })}
+          >
+            {role === undefined && <option value="">unknown</option>}
+            {ROLES.map(({ id, title }) => (
+              <option key={id} value={id}>
+                {title}
+              </option>
+            ))}
+          </select>
+        )}
+      </td>
+      <td>
+        {made ? (
+          (method ?? "truth")
+        ) : (
+          <input
+            type="text"
+            aria-label={`Method of ${path}`}
+            value={method ?? ""}
+            onChange={(event) => change({ method: event.currentTarget.value.trim() })}
+          />
+        )}
+      </td>
+      <td class="numeric">{format.bytes(size)}</td>
+      <td>
+        {corrected && (
+          <button type="button" class="link" onClick={() => void override(path, {})}>
+            Undo
+          </button>
+        )}
+      </td>
+    </tr>
+  );
+}

@@ -1,0 +1,58 @@
+// Every way to bring data, in one sheet.
+
+import type { JSX } from "preact";
+import { signal } from "@preact/signals";
+import { SampleForm } from "../samples/form";
+import { Dialog } from "../ui/dialog";
+import { takeChosen } from "./intake";
+import { PasteForm } from "./paste";
+
+export const adding = signal(false);
+
+export function AddDialog(): JSX.Element {
+  return (
+    <Dialog open={adding} title="Add data" className="add">
+      <section>
+        <h3>Your files</h3>
+        <p>
+          Point clouds, ground truth and results in the Fit4CAD format: single files, folders, or zips, also the zip of
+          the whole public repository. Drop them anywhere on the page, or choose them here. They are read in your
+          browser and never leave it.
+        </p>
+        <div class="row">
+          <Chooser label="Choose files or zips" />
+          <Chooser label="Choose a folder" folder />
+        </div>
+      </section>
+      <section>
+        <h3>A sample part</h3>
+        <SampleForm onMade={() => (adding.value = false)} />
+      </section>
+      <section>
+        <h3>Paste text</h3>
+        <PasteForm onTaken={() => (adding.value = false)} />
+      </section>
+    </Dialog>
+  );
+}
+
+function Chooser({ label, folder = false }: { label: string; folder?: boolean }): JSX.Element {
+  return (
+    <label class="button">
+      {label}
+      <input
+        type="file"
+        class="visually-hidden"
+        multiple
+        {...(folder ? { webkitdirectory: true } : {})}
+        onChange={(event) => {
+          const input = event.currentTarget;
+          if (!input.files || input.files.length === 0) return;
+          adding.value = false;
+          // The list empties with the input, which must be empty for the same files to be chosen again.
+          void takeChosen(input.files).finally(() => (input.value = ""));
+        }}
+      />
+    </label>
+  );
+}

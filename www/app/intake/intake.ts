@@ -1,0 +1,35 @@
+// One road in for everything: dropped, chosen, pasted.
+
+import { signal } from "@preact/signals";
+import { notify } from "../state/notices";
+import { receive } from "../state/inbox";
+import { gatherChosen, gatherDrop, type Gathered } from "./entries";
+import { openZips } from "./unzip";
+
+/** Whether files are being read or sorted just now. */
+export const taking = signal(false);
+
+export function takeDrop(transfer: DataTransfer): Promise<void> {
+  return take(gatherDrop(transfer));
+}
+
+export function takeChosen(list: FileList): Promise<void> {
+  return take(Promise.resolve(gatherChosen(list)));
+}
+
+/** Takes a text as if it were a file of the given name. */
+export function takeText(path: string, text: string): Promise<void> {
+  return take(Promise.resolve({ files: [{ path, data: new Blob([text]) }], refused: [] }));
+}
+
+async function take(gathering: Promise<Gathered>): Promise<void> {
+  taking.value = true;
+  try {
+    const { files, refused } = await openZips(await gathering);
+    if (files.length + refused.length > 0) await receive(files, refused);
+  } catch (error) {
+    notify(error instanceof Error ? error.message : String(error), "error");
+  } finally {
+    taking.value = false;
+  }
+}

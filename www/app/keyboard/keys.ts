@@ -1,0 +1,60 @@
+// Which key does what.
+
+import { adding } from "../intake/add-dialog";
+import { focusSearch } from "../models/list";
+import { toggleProtocol } from "../measures/protocol-switch";
+import { nextTheme } from "../shell/header";
+import { shownPanel } from "../shell/panels";
+import { PANELS } from "../shell/registry";
+import { modelById, models } from "../state/models";
+import { cancelScoring } from "../state/scoring";
+import { selectedMethod, selectedModel, selectedPrimitive, selectModel } from "../state/selection";
+import { keysShown } from "./sheet";
+import type { ShortcutGroup } from "./shortcuts";
+
+function stepModel(by: number): void {
+  const list = models.value;
+  const at = list.findIndex(({ id }) => id === selectedModel.value);
+  const next = list[Math.min(list.length - 1, Math.max(0, at + by))];
+  if (next) selectModel(next.id);
+}
+
+function nextMethod(): void {
+  const status = modelById(selectedModel.value)?.status;
+  if (status?.kind !== "scored") return;
+  const { methods } = status.result.info;
+  const at = methods.findIndex((method) => method === selectedMethod.value);
+  const next = methods[(at + 1) % methods.length];
+  if (next !== undefined) selectModel(selectedModel.value, next);
+}
+
+export const KEYS: readonly ShortcutGroup[] = [
+  {
+    title: "Everywhere",
+    shortcuts: [
+      { key: "?", what: "Show these keys", run: () => (keysShown.value = true) },
+      { key: "o", shown: "O", what: "Add data", run: () => (adding.value = true) },
+      { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
+      { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
+      { key: "x", shown: "X", what: "Stop scoring", run: cancelScoring },
+      { key: "Escape", shown: "Esc", what: "Deselect the primitive", run: () => (selectedPrimitive.value = undefined) },
+    ],
+  },
+  {
+    title: "Models",
+    shortcuts: [
+      { key: "/", what: "Search the models", run: focusSearch },
+      { key: "[", what: "Previous model", run: () => stepModel(-1) },
+      { key: "]", what: "Next model", run: () => stepModel(1) },
+      { key: "m", shown: "M", what: "Next method of this model", run: nextMethod },
+    ],
+  },
+  {
+    title: "Panels",
+    shortcuts: PANELS.slice(0, 9).map(({ id, title }, i) => ({
+      key: String(i + 1),
+      what: title,
+      run: () => (shownPanel.value = id),
+    })),
+  },
+];

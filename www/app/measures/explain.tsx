@@ -1,0 +1,103 @@
+// The explanation of a measure, one click from its column head.
+
+import type { JSX } from "preact";
+import { signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Measure } from "../engine/contract";
+import { protocol } from "../state/settings";
+import { Icon } from "../ui/icon";
+import { MEASURE_TEXT, protocolNote } from "./measures";
+
+const explained = signal<{ measure: Measure; anchor: HTMLElement } | undefined>(undefined);
+
+export function ExplainButton({ measure }: { measure: Measure }): JSX.Element {
+  const open = explained.value?.measure === measure;
+  return (
+    <button
+      type="button"
+      class="explain"
+      aria-label={`What ${measure} means`}
+      aria-expanded={open}
+      onClick={(event) => {
+        event.stopPropagation();
+        explained.value = open ? undefined : { measure, anchor: event.currentTarget };
+      }}
+    >
+      <Icon name="help" />
+    </button>
+  );
+}
+
+/** The one popover that all explanations share; stands once, at the end of the page. */
+export function ExplainPopover(): JSX.Element {
+  const popover = useRef<HTMLDivElement>(null);
+  const current = explained.value;
+
+  useEffect(() => {
+    const element = popover.current;
+    if (!element) return;
+    if (!current) {
+      if (element.matches(":popover-open")) element.hidePopover();
+      return;
+    }
+    element.showPopover();
+    placeBeside(element, current.anchor);
+    element.focus();
+  }, [current]);
+
+  return (
+    <div
+      ref={popover}
+      popover="auto"
+      class="explanation"
+      role="dialog"
+      aria-label={current ? `What ${current.measure} means` : "Explanation"}
+      tabIndex={-1}
+      onToggle={(event) => {
+        if ((event as unknown as ToggleEvent).newState !== "closed") return;
+        const anchor = explained.peek()?.anchor;
+        explained.value = undefined;
+        if (document.activeElement === document.body) anchor?.focus();
+      }}
+    >
+      {current && <Explanation measure={current.measure} />}
+    </div>
+  );
+}
+
+function Explanation({ measure }: { measure: Measure }): JSX.Element {
+  const text = MEASURE_TEXT[measure];
+  const note = protocolNote(measure, protocol.value);
+  return (
+    <>
+      <h3>
+        {measure} <span>{text.name}</span>
+      </h3>
+      {text.formula}
+      <p>{text.meaning}</p>
+      {note && <p class="protocol-note">{note}</p>}
+      <dl>
+        <dt>Range</dt>
+        <dd>{text.range}</dd>
+        <dt>Good</dt>
+        <dd>{text.good === "higher" ? "higher is better ↑" : "lower is better ↓"}</dd>
+        <dt>Mean</dt>
+        <dd>{text.mean}</dd>
+        <dt>Paper</dt>
+        <dd>{text.section}</dd>
+      </dl>
+    </>
+  );
+}
+
+const MARGIN = 8;
+
+function placeBeside(element: HTMLElement, anchor: HTMLElement): void {
+  const from = anchor.getBoundingClientRect();
+  const size = element.getBoundingClientRect();
+  const left = Math.min(from.left, innerWidth - size.width - MARGIN);
+  const below = from.bottom + MARGIN;
+  const top = below + size.height + MARGIN <= innerHeight ? below : from.top - size.height - MARGIN;
+  element.style.left = `${Math.max(MARGIN, left)}px`;
+  element.style.top = `${Math.max(MARGIN, top)}px`;
+}

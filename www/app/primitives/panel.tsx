@@ -1,0 +1,206 @@
+// One row per primitive of the selected model: the true ones with their match, then the predictions
+// that match nothing.
+
+import type { JSX } from "preact";
+import { computed, signal } from "@preact/signals";
+import type { Measure, PredictionReport, TruthReport } from "../engine/contract";
+import { ExplainButton } from "../measures/explain";
+import { ACCURACY_MEASURES, CLASSIFICATION_MEASURES, MEASURES } from "../measures/measures";
+import { Swatch } from "../palette/swatch";
+import {
+  hoveredPrimitive,
+  selectedModel,
+  selectedPrimitive,
+  selectedReports,
+  togglePrimitive,
+  type PrimitiveRef,
+} from "../state/selection";
+import { protocol } from "../state/settings";
+import * as format from "../ui/format";
+import { Table, type Column, type Sorting } from "../ui/table";
+
+interface TruthRow {
+  readonly index: number;
+  readonly report: TruthReport;
+  /** Place of the match among the predictions. */
+  readonly match: number | undefined;
+  readonly prediction: PredictionReport | undefined;
+}
+
+interface SpuriousRow {
+  readonly index: number;
+  readonly report: PredictionReport;
+}
+
+const rows = computed<readonly TruthRow[]>(() => {
+  const report = selectedReports.value?.[protocol.value];
+  if (!report) return [];
+  return report.primitives.map((truth, index) => {
+    const match = report.predictions.findIndex(({ prediction }) => prediction === truth.match);
+    return { index, report: truth, match: match < 0 ? undefined : match, prediction: report.predictions[match] };
+  });
+});
+
+const spurious = computed<readonly SpuriousRow[]>(() => {
+  const report = selectedReports.value?.[protocol.value];
+  if (!report) return [];
+  const numbers = new Set(report.hidden.spurious);
+  return report.predictions.flatMap((prediction, index) =>
+    numbers.has(prediction.prediction) ? [{ index, report: prediction }] : [],
+  );
+});
+
+const sorting = signal<Sorting | undefined>(undefined);
+const spuriousSorting = signal<Sorting | undefined>(undefined);
+
+const isShare = (measure: Measure) => (CLASSIFICATION_MEASURES as readonly Measure[]).includes(measure);
+
+const COLUMNS: readonly Column<TruthRow>[] = [
+  {
+    id: "truth",
+    head: "True",
+    label: "true primitive",
+    cell: ({ index, report }) => (
+      <>
+        <Swatch index={index} />
+        {report.truth}
+      </>
+    ),
+    sortBy: ({ report }) => report.truth,
+  },
+  { id: "type", head: "Type", label: "type", cell: ({ report }) => report.type ?? "other", sortBy: ({ report }) => report.type },
+  {
+    id: "size",
+    head: "Points",
+    label: "points",
+    numeric: true,
+    cell: ({ report }) => format.integer(report.size),
+    sortBy: ({ report }) => report.size,
+  },
+  {
+    id: "match",
+    head: "Match",
+    label: "match",
+    cell: ({ prediction }) => prediction?.prediction ?? <span class="missing">missed</span>,
+    sortBy: ({ prediction }) => prediction?.prediction,
+  },
+  {
+    id: "match-type",
+    head: "Its type",
+    label: "type of the match",
+    cell: ({ prediction, report }) =>
+      prediction && (
+        <span class={prediction.type && report.type && prediction.type !== report.type ? "wrong" : undefined}>
+          {prediction.type ?? "other"}
+        </span>
+      ),
+    sortBy: ({ prediction }) => prediction?.type,
+  },
+  {
+    id: "match-size",
+    head: "Points",
+    label: "points of the match",
+    numeric: true,
+    cell: ({ prediction }) => prediction && format.integer(prediction.size),
+    sortBy: ({ prediction }) => prediction?.size,
+  },
+  ...MEASURES.map(
+    (measure): Column<TruthRow> => ({
+      id: measure,
+      head: measure,
+      aside: <ExplainButton measure={measure} />,
+      label: measure,
+      numeric: true,
+      cell: ({ report }) => format.measure(measure, report[measure]),
+      sortBy: ({ report }) => report[measure],
+      title: ({ report }) => report[measure]?.toString(),
+      ...(isShare(measure) ? { share: ({ report }: TruthRow) => report[measure] } : {}),
+    }),
+  ),
+];
+
+const SPURIOUS_COLUMNS: readonly Column<SpuriousRow>[] = [
+  {
+    id: "prediction",
+    head: "Prediction",
+    label: "prediction",
+    cell: ({ report }) => (
+      <>
+        <Swatch index={undefined} />
+        {report.prediction}
+      </>
+    ),
+    sortBy: ({ report }) => report.prediction,
+  },
+  { id: "type", head: "Type", label: "type", cell: ({ report }) => report.type ?? "other", sortBy: ({ report }) => report.type },
+  {
+    id: "size",
+    head: "Points",
+    label: "points",
+    numeric: true,
+    cell: ({ report }) => format.integer(report.size),
+    sortBy: ({ report }) => report.size,
+  },
+  {
+    id: "overlaps",
+    head: "Mostly overlaps true",
+    label: "most overlapping true primitive",
+    cell: ({ report }) => report.match ?? "none",
+    sortBy: ({ report }) => report.match,
+  },
+  ...ACCURACY_MEASURES.map(
+    (measure): Column<SpuriousRow> => ({
+      id: measure,
+      head: measure,
+      aside: <ExplainButton measure={measure} />,
+      label: measure,
+      numeric: true,
+      cell: ({ report }) => format.measure(measure, report[measure]),
+      sortBy: ({ report }) => report[measure],
+    }),
+  ),
+];
+
+function isRef(ref: PrimitiveRef | undefined, side: PrimitiveRef["side"], index: number | undefined): boolean {
+  return ref !== undefined && ref.side === side && ref.index === index;
+}
+
+/** A row stands for its true primitive and for that one's match. */
+function concerns(ref: PrimitiveRef | undefined, row: TruthRow): boolean {
+  return isRef(ref, "truth", row.index) || isRef(ref, "prediction", row.match);
+}
+
+export default function PrimitivesPanel(): JSX.Element {
+  const report = selectedReports.value?.[protocol.value];
+  if (!report) return <p class="empty">Choose a model that is scored.</p>;
+  return (
+    <>
+      <Table
+        className="primitives"
+        caption={`Primitives of ${selectedModel.value} and their matches by ${report.method}`}
+        columns={COLUMNS}
+        rows={rows.value}
+        keyOf={({ index }) => String(index)}
+        sorting={sorting}
+        isSelected={(row) => concerns(selectedPrimitive.value, row)}
+        isHovered={(row) => concerns(hoveredPrimitive.value, row)}
+        onSelect={({ index }) => togglePrimitive({ side: "truth", index })}
+        onHover={(row) => (hoveredPrimitive.value = row && { side: "truth", index: row.index })}
+      />
+      {spurious.value.length > 0 && (
+        <Table
+          className="primitives"
+          caption="Predictions that match no true primitive: the classification measures do not see them"
+          columns={SPURIOUS_COLUMNS}
+          rows={spurious.value}
+          keyOf={({ index }) => String(index)}
+          sorting={spuriousSorting}
+          isSelected={({ index }) => isRef(selectedPrimitive.value, "prediction", index)}
+          isHovered={({ index }) => isRef(hoveredPrimitive.value, "prediction", index)}
+          onSelect={({ index }) => togglePrimitive({ side: "prediction", index })}
+          onHover={(row) => (hoveredPrimitive.value = row && { side: "prediction", index: row.index })}
+        />
+      )}
+    </>
+  );
+}

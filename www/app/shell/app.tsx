@@ -1,0 +1,39 @@
+// The frame around every page.
+
+import type { JSX } from "preact";
+import { ExplainPopover } from "../measures/explain";
+import { AddDialog } from "../intake/add-dialog";
+import { DropZone } from "../intake/dropzone";
+import { KEYS } from "../keyboard/keys";
+import { KeySheet } from "../keyboard/sheet";
+import { ProtocolDialog } from "../measures/protocol-dialog";
+import { Lazy } from "../ui/lazy";
+import { Header } from "./header";
+import { PAGES } from "./registry";
+import { page } from "./router";
+import { StatusBar } from "./statusbar";
+
+export function App(): JSX.Element {
+  const current = PAGES.find(({ id }) => id === page.value);
+  return (
+    <>
+      <a class="skip" href="#content">
+        Skip to content
+      </a>
+      <Header />
+      <main id="content" tabIndex={-1}>
+        {current ? (
+          <Lazy key={current.id} load={current.load} title={current.title} />
+        ) : (
+          <p class="empty">There is no page “{page.value}” here.</p>
+        )}
+      </main>
+      <StatusBar />
+      <DropZone />
+      <AddDialog />
+      <ProtocolDialog />
+      <KeySheet groups={KEYS} />
+      <ExplainPopover />
+    </>
+  );
+}

@@ -1,0 +1,52 @@
+// The panels under the views, one at a time, as tabs.
+
+import type { JSX } from "preact";
+import { signal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { Lazy } from "../ui/lazy";
+import { PANELS } from "./registry";
+
+export const shownPanel = signal("measures");
+
+export function Panels(): JSX.Element {
+  const tabs = useRef<HTMLDivElement>(null);
+  const shown = PANELS.find(({ id }) => id === shownPanel.value) ?? PANELS[0];
+
+  const walk = (event: KeyboardEvent) => {
+    const at = PANELS.findIndex(({ id }) => id === shown?.id);
+    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: PANELS.length - 1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    const next = PANELS[(to + PANELS.length) % PANELS.length];
+    if (!next) return;
+    shownPanel.value = next.id;
+    tabs.current?.querySelector<HTMLElement>(`#tab-${next.id}`)?.focus();
+  };
+
+  return (
+    <section class="panels" aria-label="Results">
+      <div class="tabs" role="tablist" aria-label="Panels" ref={tabs} onKeyDown={walk}>
+        {PANELS.map(({ id, title, badge }) => (
+          <button
+            key={id}
+            type="button"
+            role="tab"
+            id={`tab-${id}`}
+            aria-selected={id === shown?.id}
+            aria-controls="panel"
+            tabIndex={id === shown?.id ? 0 : -1}
+            onClick={() => (shownPanel.value = id)}
+          >
+            {title}
+            {badge?.()}
+          </button>
+        ))}
+      </div>
+      {shown && (
+        <div class="panel" role="tabpanel" id="panel" aria-labelledby={`tab-${shown.id}`} tabIndex={0}>
+          <Lazy key={shown.id} load={shown.load} title={shown.title} />
+        </div>
+      )}
+    </section>
+  );
+}

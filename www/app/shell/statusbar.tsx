@@ -1,0 +1,68 @@
+// Progress and short messages, at the foot of the page and announced.
+
+import type { JSX } from "preact";
+import { useSignal, useSignalEffect } from "@preact/signals";
+import { taking } from "../intake/intake";
+import { dismiss, notice } from "../state/notices";
+import { cancelScoring, progress, type Progress } from "../state/scoring";
+import { duration, integer } from "../ui/format";
+import { Icon } from "../ui/icon";
+
+/** A batch shorter than this is over before anybody could read about it. */
+const SHOW_AFTER_MS = 250;
+
+export function StatusBar(): JSX.Element {
+  const shown = notice.value;
+  return (
+    <footer class="status">
+      <Work />
+      <p class="notice" role="status" data-kind={shown?.kind}>
+        {shown?.text}
+        {shown && (
+          <button type="button" class="icon" aria-label="Dismiss the message" onClick={dismiss}>
+            <Icon name="close" />
+          </button>
+        )}
+      </p>
+    </footer>
+  );
+}
+
+function Work(): JSX.Element | null {
+  const late = useSignal(false);
+  useSignalEffect(() => {
+    if (!progress.value && !taking.value) {
+      late.value = false;
+      return;
+    }
+    const timer = setTimeout(() => (late.value = true), SHOW_AFTER_MS);
+    return () => clearTimeout(timer);
+  });
+  const batch = progress.value;
+  if (batch && (late.value || batch.total > 1)) return <Batch {...batch} />;
+  if (taking.value && late.value) {
+    return (
+      <div class="work">
+        <label for="taking">Reading files…</label>
+        <progress id="taking" />
+      </div>
+    );
+  }
+  return null;
+}
+
+function Batch({ done, total, since }: Progress): JSX.Element {
+  const left = done > 0 ? ((performance.now() - since) / done) * (total - done) : undefined;
+  return (
+    <div class="work">
+      <label for="scoring">
+        Scoring {integer(done)} of {integer(total)}
+        {left !== undefined && `, ${duration(left)} left`}
+      </label>
+      <progress id="scoring" max={total} value={done} />
+      <button type="button" onClick={cancelScoring}>
+        Stop
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,160 @@
+// Every file the reader has brought, and how the engine sorted the heap into models.
+//
+// The whole heap is sorted anew whenever something is added or corrected, so a submission dropped
+// today finds the ground truth dropped before it. Only models whose files changed are scored again.
+
+import { batch, signal } from "@preact/signals";
+import { engine } from "../engine/client";
+import type { Grouping, Override } from "../engine/contract";
+import type { ModelFile, ModelSource } from "../../worker/protocol";
+import { models, type ModelEntry, type Origin } from "./models";
+import { scoreAll } from "./scoring";
+import { notify } from "./notices";
+import { selectModel, selectedModel } from "./selection";
+
+/** A file as it was brought: its path within what was dropped or chosen, and its content. */
+export interface BroughtFile {
+  readonly path: string;
+  readonly data: Blob;
+}
+
+export interface Unplaced {
+  readonly path: string;
+  readonly reason: string;
+}
+
+export const brought = signal<ReadonlyMap<string, BroughtFile>>(new Map());
+export const overrides = signal<Readonly<Record<string, Override>>>({});
+/** Files that belong to no model, with the reason. */
+export const unplaced = signal<readonly Unplaced[]>([]);
+/** How many files were litter (`.DS_Store` and the like). */
+export const ignored = signal(0);
+
+/** Models that were made here, not brought as files, and submissions made here for any model. */
+const made = signal<ReadonlyMap<string, { origin: Origin; files: readonly ModelFile[] }>>(new Map());
+
+/** The model shown on opening; it makes room for the first files brought. */
+let opening: string | undefined;
+
+/** Takes files in and scores what they make. `refused` are files that could not even be opened. */
+export async function receive(files: readonly BroughtFile[], refused: readonly Unplaced[] = []): Promise<void> {
+  const heap = new Map(brought.value);
+  for (const file of files) heap.set(file.path, file);
+  brought.value = heap;
+  const before = new Set(models.value.map((entry) => entry.source.key));
+  await regroup(refused);
+  const fresh = models.value.filter((entry) => !before.has(entry.source.key));
+  const first = fresh[0];
+  if (first) selectModel(first.id);
+  const count = (n: number, what: string) => `${n} ${what}${n === 1 ? "" : "s"}`;
+  notify(
+    `${count(files.length, "file")} received: ${count(fresh.length, "model")} new or changed` +
+      (unplaced.value.length > 0 ? `, ${count(unplaced.value.length, "file")} not placed (see Diagnostics).` : "."),
+  );
+}
+
+/** Corrects how one file is understood; an empty override takes the correction back. */
+export async function override(path: string, change: Override): Promise<void> {
+  const { [path]: _, ...others } = overrides.value;
+  overrides.value = Object.keys(change).length > 0 ? { ...others, [path]: change } : others;
+  await regroup();
+}
+
+/** Puts a model on the page that was made here. */
+export function addMade(name: string, origin: Origin, files: readonly ModelFile[], asOpening = false): void {
+  made.value = new Map(made.value).set(name, { origin, files });
+  if (asOpening) opening = name;
+  assemble(lastGrouping);
+  selectModel(name);
+}
+
+/** Adds a submission made here (by a fitter) to a model that is on the page. */
+export function addSubmission(name: string, files: readonly ModelFile[]): void {
+  const entry = models.value.find(({ id }) => id === name);
+  if (!entry) return;
+  const known = made.value.get(name) ?? { origin: entry.origin, files: [] };
+  const kept = known.files.filter((file) => !files.some(({ path }) => path === file.path));
+  made.value = new Map(made.value).set(name, { origin: known.origin, files: [...kept, ...files] });
+  assemble(lastGrouping);
+}
+
+/** Takes a model off the page, with its files. */
+export function remove(id: string): void {
+  const entry = models.value.find((candidate) => candidate.id === id);
+  if (!entry) return;
+  const paths = new Set(entry.source.files.map(({ path }) => path));
+  brought.value = new Map([...brought.value].filter(([path]) => !paths.has(path)));
+  made.value = new Map([...made.value].filter(([name]) => name !== id));
+  lastGrouping = { ...lastGrouping, models: lastGrouping.models.filter(({ name }) => name !== id) };
+  assemble(lastGrouping);
+}
+
+/** Takes everything off the page. */
+export function clear(): void {
+  batch(() => {
+    brought.value = new Map();
+    overrides.value = {};
+    made.value = new Map();
+    lastGrouping = NOTHING;
+    assemble(NOTHING);
+  });
+}
+
+const NOTHING: Grouping = { models: [], unplaced: [], ignored: 0 };
+let lastGrouping: Grouping = NOTHING;
+
+async function regroup(refused: readonly Unplaced[] = []): Promise<void> {
+  const paths = [...brought.value.keys()];
+  const grouping = await engine.run((api) => api.group(paths, overrides.value));
+  lastGrouping = { ...grouping, unplaced: [...refused, ...grouping.unplaced] };
+  if (opening !== undefined && grouping.models.length > 0) {
+    const { [opening]: _, ...rest } = Object.fromEntries(made.value);
+    made.value = new Map(Object.entries(rest));
+    opening = undefined;
+  }
+  assemble(lastGrouping);
+}
+
+function assemble(grouping: Grouping): void {
+  const entries: ModelEntry[] = [];
+  for (const { name, number, files } of grouping.models) {
+    const extra = made.value.get(name)?.files ?? [];
+    entries.push(entryOf(name, number, { kind: "files" }, [...withContent(files), ...extra]));
+  }
+  for (const [name, { origin, files }] of made.value) {
+    if (!entries.some(({ id }) => id === name)) entries.push(entryOf(name, undefined, origin, files));
+  }
+  batch(() => {
+    models.value = entries;
+    unplaced.value = grouping.unplaced;
+    ignored.value = grouping.ignored;
+    if (!entries.some(({ id }) => id === selectedModel.value)) selectModel(entries[0]?.id);
+  });
+  scoreAll(entries.filter(({ status }) => status.kind === "waiting"));
+}
+
+function withContent(files: Grouping["models"][number]["files"]): ModelFile[] {
+  return files.flatMap((file) => {
+    const data = brought.value.get(file.path)?.data;
+    return data ? [{ ...file, data }] : [];
+  });
+}
+
+function entryOf(id: string, number: number | undefined, origin: Origin, files: readonly ModelFile[]): ModelEntry {
+  const source: ModelSource = { key: keyOf(id, files), name: id, files };
+  const known = models.value.find((entry) => entry.source.key === source.key);
+  return { id, number, origin, source, status: known?.status ?? { kind: "waiting" } };
+}
+
+const identities = new WeakMap<Blob, number>();
+let lastIdentity = 0;
+
+/** Names the content by the identity of its blobs, so that a changed file makes a changed key. */
+function keyOf(id: string, files: readonly ModelFile[]): string {
+  const parts = files.map(({ path, role, method, data }) => {
+    const identity = identities.get(data) ?? ++lastIdentity;
+    identities.set(data, identity);
+    return `${path}|${role}|${method ?? ""}|${identity}`;
+  });
+  return [id, ...parts].join("\n");
+}

@@ -1,0 +1,35 @@
+// How numbers are written.
+
+import type { Measure } from "../engine/contract";
+
+const INTEGER = new Intl.NumberFormat("en");
+
+export function integer(value: number): string {
+  return INTEGER.format(value);
+}
+
+export const MISSING = "n/a";
+
+/** A measure as shown in a table: four digits after the point, small errors in powers of ten. */
+export function measure(name: Measure, value: number | null | undefined): string {
+  if (value === null || value === undefined) return MISSING;
+  const small = name === "MFE" || name === "dHaus" || name === "d1";
+  if (small && value !== 0 && Math.abs(value) < 0.0001) return value.toExponential(1).replace("e-", "e−");
+  return value.toFixed(4);
+}
+
+export function plural(count: number, noun: string): string {
+  return `${integer(count)} ${noun}${count === 1 ? "" : "s"}`;
+}
+
+/** A span of time, roughly: `8 s`, `2 min`. */
+export function duration(milliseconds: number): string {
+  const seconds = Math.ceil(milliseconds / 1000);
+  return seconds < 90 ? `${seconds} s` : `${Math.round(seconds / 60)} min`;
+}
+
+export function bytes(count: number): string {
+  if (count < 1000) return `${count} B`;
+  if (count < 1_000_000) return `${(count / 1000).toFixed(1)} kB`;
+  return `${(count / 1_000_000).toFixed(1)} MB`;
+}

@@ -1,0 +1,165 @@
+// A sortable table that is a table: caption, column and row heads, sort buttons, keyboard.
+
+import type { ComponentChildren, JSX } from "preact";
+import { useSignal, type Signal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+
+export interface Column<Row> {
+  readonly id: string;
+  readonly head: ComponentChildren;
+  /** Set beside the head, outside the sort button (an explanation, say). */
+  readonly aside?: ComponentChildren;
+  /** The head in words, for sort buttons. */
+  readonly label: string;
+  readonly cell: (row: Row) => ComponentChildren;
+  /** The value to sort by; without it the column does not sort. Missing values come last either way. */
+  readonly sortBy?: (row: Row) => number | string | null | undefined;
+  readonly numeric?: boolean;
+  /** The value as a share of 1, drawn as a faint bar behind the figure. */
+  readonly share?: (row: Row) => number | null | undefined;
+  readonly title?: (row: Row) => string | undefined;
+}
+
+export interface Sorting {
+  readonly column: string;
+  readonly descending: boolean;
+}
+
+interface Props<Row> {
+  readonly caption: ComponentChildren;
+  /** The first column names its row. */
+  readonly columns: readonly Column<Row>[];
+  readonly rows: readonly Row[];
+  readonly keyOf: (row: Row) => string;
+  readonly isSelected?: (row: Row) => boolean;
+  readonly isHovered?: (row: Row) => boolean;
+  readonly onSelect?: (row: Row) => void;
+  readonly onHover?: (row: Row | undefined) => void;
+  readonly sorting?: Signal<Sorting | undefined>;
+  readonly foot?: ComponentChildren;
+  readonly className?: string;
+}
+
+export function Table<Row>(props: Props<Row>): JSX.Element {
+  const own = useSignal<Sorting | undefined>(undefined);
+  const sorting = props.sorting ?? own;
+  const body = useRef<HTMLTableSectionElement>(null);
+  const rows = sorted(props.rows, props.columns, sorting.value);
+
+  const turn = (column: Column<Row>) => {
+    const current = sorting.value;
+    // Figures are first wanted largest first, names in order of the alphabet.
+    const first = column.numeric ?? false;
+    if (current?.column !== column.id) sorting.value = { column: column.id, descending: first };
+    else if (current.descending === first) sorting.value = { column: column.id, descending: !first };
+    else sorting.value = undefined;
+  };
+
+  return (
+    <table class={props.className}>
+      <caption>{props.caption}</caption>
+      <thead>
+        <tr>
+          {props.columns.map((column) => (
+            <Head key={column.id} column={column} sorting={sorting.value} onSort={() => turn(column)} />
+          ))}
+        </tr>
+      </thead>
+      <tbody
+        ref={body}
+        onKeyDown={(event) => moveFocus(event, body.current)}
+        onMouseLeave={props.onHover && (() => props.onHover?.(undefined))}
+      >
+        {rows.map((row) => (
+          <tr
+            key={props.keyOf(row)}
+            aria-current={props.isSelected?.(row) ? "true" : undefined}
+            data-hovered={props.isHovered?.(row) || undefined}
+            onClick={props.onSelect && (() => props.onSelect?.(row))}
+            onMouseEnter={props.onHover && (() => props.onHover?.(row))}
+          >
+            {props.columns.map((column, i) => cell(column, row, i === 0, props.onSelect !== undefined))}
+          </tr>
+        ))}
+      </tbody>
+      {props.foot && <tfoot>{props.foot}</tfoot>}
+    </table>
+  );
+}
+
+function Head<Row>({ column, sorting, onSort }: { column: Column<Row>; sorting: Sorting | undefined; onSort: () => void }) {
+  const active = sorting?.column === column.id;
+  const direction = active ? (sorting.descending ? "descending" : "ascending") : undefined;
+  return (
+    <th scope="col" aria-sort={direction} class={column.numeric ? "numeric" : undefined}>
+      <span class="head">
+        {column.sortBy ? (
+          <button type="button" class="sort" onClick={onSort} title={`Sort by ${column.label}`}>
+            {column.head}
+            <span class="arrow" aria-hidden="true">
+              {active ? (sorting.descending ? "↓" : "↑") : ""}
+            </span>
+          </button>
+        ) : (
+          column.head
+        )}
+        {column.aside}
+      </span>
+    </th>
+  );
+}
+
+function cell<Row>(column: Column<Row>, row: Row, names: boolean, selectable: boolean): JSX.Element {
+  const content = column.cell(row);
+  if (names) {
+    return (
+      <th key={column.id} scope="row" title={column.title?.(row)}>
+        {selectable ? (
+          <button type="button" class="row-name">
+            {content}
+          </button>
+        ) : (
+          content
+        )}
+      </th>
+    );
+  }
+  const share = column.share?.(row);
+  const bar = share === null || share === undefined ? undefined : { "--share": Math.min(1, Math.max(0, share)) };
+  return (
+    <td
+      key={column.id}
+      class={`${column.numeric ? "numeric" : ""} ${bar ? "bar" : ""}`}
+      style={bar as JSX.CSSProperties | undefined}
+      title={column.title?.(row)}
+    >
+      {content}
+    </td>
+  );
+}
+
+function sorted<Row>(rows: readonly Row[], columns: readonly Column<Row>[], sorting: Sorting | undefined): readonly Row[] {
+  const by = columns.find(({ id }) => id === sorting?.column)?.sortBy;
+  if (!sorting || !by) return rows;
+  const sign = sorting.descending ? -1 : 1;
+  return rows
+    .map((row) => ({ row, value: by(row) ?? undefined }))
+    .sort((a, b) => {
+      if (a.value === undefined || b.value === undefined) return Number(a.value === undefined) - Number(b.value === undefined);
+      if (typeof a.value === "number" && typeof b.value === "number") return sign * (a.value - b.value);
+      return sign * String(a.value).localeCompare(String(b.value), "en", { numeric: true });
+    })
+    .map(({ row }) => row);
+}
+
+/** Arrow keys, Home and End walk the rows. */
+function moveFocus(event: KeyboardEvent, body: HTMLElement | null): void {
+  if (!body || !(event.target instanceof HTMLElement)) return;
+  const names = [...body.querySelectorAll<HTMLElement>(".row-name")];
+  const at = names.findIndex((name) => name === event.target);
+  if (at < 0) return;
+  const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: names.length - 1 }[event.key];
+  if (to === undefined) return;
+  event.preventDefault();
+  names[Math.min(names.length - 1, Math.max(0, to))]?.focus();
+}

@@ -1,0 +1,114 @@
+// The engine in a worker. One call, one answer; the model read last is kept in case it is wanted again.
+
+import * as Comlink from "comlink";
+import init, { Model, group, parts, version } from "../generated/engine/engine.js";
+import type { EngineWorker, ModelFile, ModelSource, SegmentationScene, WrittenFiles } from "./protocol";
+
+const ready = init();
+
+let held: { key: string; model: Model } | undefined;
+
+async function read(source: ModelSource): Promise<Model> {
+  await ready;
+  if (held?.key === source.key) return held.model;
+  held?.model.free();
+  held = undefined;
+  const files = await Promise.all(
+    source.files.map(async ({ path, role, method, data }) => ({
+      path,
+      role,
+      ...(method === undefined ? {} : { method }),
+      bytes: new Uint8Array(await data.arrayBuffer()),
+    })),
+  );
+  const model = Model.read(source.name, files);
+  held = { key: source.key, model };
+  return model;
+}
+
+function segmentation(model: Model, method?: string): SegmentationScene {
+  const { offsets, indices } = model.members(method);
+  return {
+    primitives: model.primitives(method),
+    offsets: offsets as Uint32Array<ArrayBuffer>,
+    indices: indices as Uint32Array<ArrayBuffer>,
+    distances: model.distances(method) as Float32Array<ArrayBuffer>,
+  };
+}
+
+function buffersOf(scene: SegmentationScene | undefined): Transferable[] {
+  return scene ? [scene.offsets.buffer, scene.indices.buffer, scene.distances.buffer] : [];
+}
+
+function written(model: Model, name: string, method?: string): ModelFile[] {
+  const { cloud, primitives, parametric, implicit } = model.write(method);
+  const folder = method === undefined ? "" : `_${method}`;
+  const file = (role: ModelFile["role"], text: string): ModelFile => {
+    const path = role === "cloud" ? `pointCloud/${name}.txt` : `pointCloud_${role}${folder}/${name}_${role}.txt`;
+    return { path, role, ...(method === undefined ? {} : { method }), data: new Blob([text], { type: "text/plain" }) };
+  };
+  return [
+    ...(cloud === undefined ? [] : [file("cloud", cloud)]),
+    file("primitives", primitives),
+    file("parametric", parametric),
+    file("implicit", implicit),
+  ];
+}
+
+const worker: EngineWorker = {
+  async version() {
+    await ready;
+    return version();
+  },
+
+  async group(paths, overrides) {
+    await ready;
+    return group(paths, overrides);
+  },
+
+  async parts() {
+    await ready;
+    return parts();
+  },
+
+  async generate(part, options): Promise<WrittenFiles> {
+    await ready;
+    const model = Model.generate(part, options);
+    try {
+      const { name } = model.info();
+      const method = model.degrade(options.seed ?? 1);
+      return { name, files: [...written(model, name), ...written(model, name, method)] };
+    } finally {
+      model.free();
+    }
+  },
+
+  async score(source) {
+    const model = await read(source);
+    const info = model.info();
+    const reports = info.hasTruth
+      ? info.methods.map((method) => ({
+          method,
+          definition: model.score(method, "definition"),
+          published: model.score(method, "published"),
+        }))
+      : [];
+    return { info, reports };
+  },
+
+  async open(source, method) {
+    const model = await read(source);
+    const positions = model.positions() as Float32Array<ArrayBuffer>;
+    const centre = model.centre() as Float64Array<ArrayBuffer>;
+    const truth = model.info().hasTruth ? segmentation(model) : undefined;
+    const prediction = method === undefined ? undefined : segmentation(model, method);
+    return Comlink.transfer({ key: source.key, method, positions, centre, truth, prediction }, [
+      positions.buffer,
+      centre.buffer,
+      ...buffersOf(truth),
+      ...buffersOf(prediction),
+    ]);
+  },
+};
+
+Comlink.expose(worker);

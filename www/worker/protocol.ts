@@ -1,0 +1,74 @@
+// What the page asks of an engine worker, and what comes back.
+//
+// Every call is self-contained: it carries the files it needs, so any worker of the pool can
+// answer it and ending a worker loses nothing but the call under way.
+
+import type { GenerateOptions, Grouping, ModelInfo, Override, PartInfo, PrimitiveInfo, Report, Role } from "../app/engine/contract";
+
+/** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
+export interface ModelFile {
+  readonly path: string;
+  readonly role: Role;
+  /** Absent for the ground truth. */
+  readonly method?: string;
+  readonly data: Blob;
+}
+
+/** A model as its files. */
+export interface ModelSource {
+  /** Equal keys mean equal content: a worker that still holds the model does not read it again. */
+  readonly key: string;
+  readonly name: string;
+  readonly files: readonly ModelFile[];
+}
+
+/** Both protocols' reports of one method on one model. */
+export interface MethodReports {
+  readonly method: string;
+  readonly definition: Report;
+  readonly published: Report;
+}
+
+/** What scoring a model yields. */
+export interface ScoredModel {
+  readonly info: ModelInfo;
+  /** In the engine's order of methods. Empty where there is no truth to score against. */
+  readonly reports: readonly MethodReports[];
+}
+
+/** One segmentation, as the view draws it and the tables name it. */
+export interface SegmentationScene {
+  readonly primitives: readonly PrimitiveInfo[];
+  /** `offsets[i]..offsets[i + 1]` bounds the points of primitive `i` in `indices`. */
+  readonly offsets: Uint32Array<ArrayBuffer>;
+  readonly indices: Uint32Array<ArrayBuffer>;
+  /** Distance of every listed point to its primitive's surface, in `indices` order; NaN without surface. */
+  readonly distances: Float32Array<ArrayBuffer>;
+}
+
+/** A model ready to be looked at. */
+export interface ModelScene {
+  readonly key: string;
+  readonly method: string | undefined;
+  /** `xyz` per point, relative to `centre`. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  readonly centre: Float64Array<ArrayBuffer>;
+  readonly truth: SegmentationScene | undefined;
+  readonly prediction: SegmentationScene | undefined;
+}
+
+/** The text files a segmentation is written as. */
+export interface WrittenFiles {
+  readonly name: string;
+  readonly files: readonly ModelFile[];
+}
+
+export interface EngineWorker {
+  version(): Promise<string>;
+  group(paths: string[], overrides: Record<string, Override>): Promise<Grouping>;
+  parts(): Promise<PartInfo[]>;
+  /** Makes a sample part: the four files of its truth and those of an imperfect submission. */
+  generate(part: string, options: GenerateOptions): Promise<WrittenFiles>;
+  score(source: ModelSource): Promise<ScoredModel>;
+  open(source: ModelSource, method: string | undefined): Promise<ModelScene>;
+}
