@@ -20,7 +20,7 @@ export interface ShortcutGroup {
 export const keysOn = remembered("keys", "on", ["on", "off"] as const);
 
 export function listen(groups: readonly ShortcutGroup[]): void {
-  addEventListener("keydown", (event) => {
+  window.addEventListener("keydown", (event) => {
     if (keysOn.value === "off" && event.key !== "Escape") return;
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
     if (document.querySelector("dialog[open]")) return;

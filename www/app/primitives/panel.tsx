@@ -6,7 +6,7 @@ import { computed, signal } from "@preact/signals";
 import type { Measure, PredictionReport, TruthReport } from "../engine/contract";
 import { ExplainButton } from "../measures/explain";
 import { ACCURACY_MEASURES, CLASSIFICATION_MEASURES, MEASURES } from "../measures/measures";
-import { Swatch } from "../palette/swatch";
+import { predictionColours } from "../stage/colouring";
 import {
   hoveredPrimitive,
   selectedModel,
@@ -15,9 +15,12 @@ import {
   togglePrimitive,
   type PrimitiveRef,
 } from "../state/selection";
+import { placeOfMatch } from "../state/matches";
 import { protocol } from "../state/settings";
 import * as format from "../ui/format";
+import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
+import { segmentColour, UNSEGMENTED } from "../view/palette";
 
 interface TruthRow {
   readonly index: number;
@@ -30,14 +33,15 @@ interface TruthRow {
 interface SpuriousRow {
   readonly index: number;
   readonly report: PredictionReport;
+  readonly colour: string;
 }
 
 const rows = computed<readonly TruthRow[]>(() => {
   const report = selectedReports.value?.[protocol.value];
   if (!report) return [];
   return report.primitives.map((truth, index) => {
-    const match = report.predictions.findIndex(({ prediction }) => prediction === truth.match);
-    return { index, report: truth, match: match < 0 ? undefined : match, prediction: report.predictions[match] };
+    const match = placeOfMatch(report, index);
+    return { index, report: truth, match, prediction: match === undefined ? undefined : report.predictions[match] };
   });
 });
 
@@ -45,8 +49,9 @@ const spurious = computed<readonly SpuriousRow[]>(() => {
   const report = selectedReports.value?.[protocol.value];
   if (!report) return [];
   const numbers = new Set(report.hidden.spurious);
+  const colours = predictionColours(report, report.predictions.length);
   return report.predictions.flatMap((prediction, index) =>
-    numbers.has(prediction.prediction) ? [{ index, report: prediction }] : [],
+    numbers.has(prediction.prediction) ? [{ index, report: prediction, colour: colours[index] ?? UNSEGMENTED }] : [],
   );
 });
 
@@ -62,7 +67,7 @@ const COLUMNS: readonly Column<TruthRow>[] = [
     label: "true primitive",
     cell: ({ index, report }) => (
       <>
-        <Swatch index={index} />
+        <Swatch colour={segmentColour(index)} />
         {report.truth}
       </>
     ),
@@ -124,9 +129,9 @@ const SPURIOUS_COLUMNS: readonly Column<SpuriousRow>[] = [
     id: "prediction",
     head: "Prediction",
     label: "prediction",
-    cell: ({ report }) => (
+    cell: ({ report, colour }) => (
       <>
-        <Swatch index={undefined} />
+        <Swatch colour={colour} />
         {report.prediction}
       </>
     ),

@@ -130,7 +130,7 @@ function cell<Row>(column: Column<Row>, row: Row, names: boolean, selectable: bo
     <td
       key={column.id}
       class={`${column.numeric ? "numeric" : ""} ${bar ? "bar" : ""}`}
-      style={bar as JSX.CSSProperties | undefined}
+      style={bar}
       title={column.title?.(row)}
     >
       {content}

@@ -14,6 +14,7 @@ mod boundary;
 mod catalogue;
 mod degrade;
 mod grid;
+mod imperfect;
 mod mesh;
 mod patches;
 mod random;
@@ -21,6 +22,7 @@ mod random;
 use blocks::Part;
 use boundary::Boundary;
 pub use catalogue::{PartInfo, parts};
+pub use imperfect::imperfect;
 use random::Random;
 
 use crate::cloud::Cloud;

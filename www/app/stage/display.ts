@@ -1,0 +1,17 @@
+// How the points are shown; chosen once, kept for every model.
+
+import { signal } from "@preact/signals";
+import { remembered } from "../state/settings";
+import { COLOUR_MODES, type ColourMode } from "./colouring";
+
+export type Arrangement = "split" | "truth" | "prediction" | "wipe";
+
+export const colourMode = signal<ColourMode>(COLOUR_MODES[0].id);
+export const arrangement = remembered<Arrangement>("arrangement", "split", ["split", "truth", "prediction", "wipe"]);
+/** Place of the wipe's border, 0 left to 1 right. */
+export const wipeAt = signal(0.5);
+export const eyeDome = remembered("eye-dome", "on", ["on", "off"] as const);
+export const unsegmentedShown = remembered("unsegmented", "on", ["on", "off"] as const);
+export const projection = remembered("projection", "perspective", ["perspective", "orthographic"] as const);
+/** Diameter of a point over the typical distance of neighbours. */
+export const pointSize = signal(1.4);

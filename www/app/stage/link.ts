@@ -1,0 +1,113 @@
+// Keeps a view in step with the page's state: what is shown, how it is coloured, what stands out.
+
+import { effect } from "@preact/signals";
+import { scene } from "../state/scene";
+import { hoveredPrimitive, selectedPrimitive, selectedReports, type PrimitiveRef } from "../state/selection";
+import { isDark, protocol } from "../state/settings";
+import type { PointView } from "../view/point-view";
+import { LabelState, type Side } from "../view/types";
+import { labelling, pairOf, table, type Labelling, type Shown } from "./colouring";
+import {
+  arrangement,
+  colourMode,
+  eyeDome,
+  pointSize,
+  projection,
+  unsegmentedShown,
+  wipeAt,
+} from "./display";
+
+const SIDES = [0, 1] as const satisfies Side[];
+
+/** The paper's figures are on white, and black must be seen on it. */
+const PAPER = { background: "#ffffff", ink: "#000000" };
+const DARK = { background: "#14181c", ink: "#ffffff" };
+
+/** Starts keeping in step; the result ends it. */
+export function link(view: PointView): () => void {
+  let cloud: Float32Array | undefined;
+  const ends = [
+    effect(() => {
+      const figure = colourMode.value === "figure";
+      view.setTheme(isDark() && !figure ? DARK : PAPER);
+    }),
+    effect(() => view.setEyeDome(eyeDome.value === "on" ? 1 : 0)),
+    effect(() => view.setPointSize({ unit: "spacing", value: pointSize.value })),
+    effect(() => view.setProjection(projection.value)),
+    effect(() => {
+      const chosen = arrangement.value;
+      if (chosen === "split") view.setLayout({ kind: "split" });
+      else if (chosen === "wipe") view.setLayout({ kind: "wipe", at: wipeAt.value });
+      else view.setLayout({ kind: "single", side: chosen === "truth" ? 0 : 1 });
+    }),
+    effect(() => {
+      const state = scene.value;
+      if (state.kind !== "ready") return;
+      // Another method of the same model keeps the camera.
+      if (state.scene.positions !== cloud) {
+        const before = cloud;
+        cloud = state.scene.positions;
+        if (!before || !sameNumbers(before, cloud)) view.setCloud(cloud);
+      }
+      const shown = shownNow();
+      if (!shown) return;
+      for (const side of SIDES) colour(view, side, labelling(colourMode.value, side, shown));
+    }),
+    effect(() => {
+      const shown = shownNow();
+      if (!shown) return;
+      for (const side of SIDES) view.setStates(side, states(side, shown));
+    }),
+  ];
+  return () => ends.forEach((end) => end());
+}
+
+function shownNow(): Shown | undefined {
+  const state = scene.value;
+  if (state.kind !== "ready") return undefined;
+  const report = selectedReports.value?.[protocol.value];
+  // Only one colouring depends on the selection; the others need not be made anew for it.
+  const selected = colourMode.value === "outcome" ? selectedPrimitive.value : undefined;
+  return { scene: state.scene, report, selected };
+}
+
+function colour(view: PointView, side: Side, what: Labelling): void {
+  view.setLabels(side, what.labels);
+  view.setColours(side, table(what));
+  if (what.scalars) {
+    view.setScalars(side, what.scalars.values);
+    view.colourByScalar(side, what.scalars.low, what.scalars.high);
+  } else {
+    view.colourByLabel(side);
+  }
+}
+
+/** The selected primitive and its partner stand out; what is hovered joins them. */
+function states(side: Side, { scene, report }: Shown): LabelState[] {
+  const mode = colourMode.value;
+  const zero = unsegmentedShown.value === "on" ? LabelState.Shown : LabelState.Hidden;
+  if (mode === "outcome" || (mode === "figure" && side === 1)) return [zero];
+  const count = (side === 0 ? scene.truth : scene.prediction)?.primitives.length ?? 0;
+  const selected = selectedPrimitive.value;
+  const hovered = hoveredPrimitive.value;
+  const rest = selected ? LabelState.Faded : LabelState.Shown;
+  const all = new Array<LabelState>(count + 1).fill(rest);
+  all[0] = zero === LabelState.Hidden ? zero : rest;
+  const raise = (ref: PrimitiveRef | undefined, state: LabelState) => {
+    const place = ref && placeOn(side, ref);
+    if (place !== undefined) all[place + 1] = state;
+  };
+  raise(selected, LabelState.Shown);
+  raise(hovered, LabelState.Highlighted);
+  return all;
+
+  function placeOn(on: Side, ref: PrimitiveRef): number | undefined {
+    if (!report) return ref.side === (on === 0 ? "truth" : "prediction") ? ref.index : undefined;
+    const pair = pairOf(report, ref);
+    return on === 0 ? pair.truth : pair.match;
+  }
+}
+
+function sameNumbers(a: Float32Array, b: Float32Array): boolean {
+  return a.length === b.length && a.every((value, at) => Object.is(value, b[at]));
+}

@@ -1,0 +1,102 @@
+// The view's controls.
+
+import type { JSX } from "preact";
+import type { Signal } from "@preact/signals";
+import type { PointView } from "../view/point-view";
+import { STANDPOINTS } from "../view/types";
+import { COLOUR_MODES, type ColourMode } from "./colouring";
+import {
+  arrangement,
+  colourMode,
+  eyeDome,
+  pointSize,
+  projection,
+  unsegmentedShown,
+  type Arrangement,
+} from "./display";
+
+const ARRANGEMENTS: readonly { id: Arrangement; title: string }[] = [
+  { id: "split", title: "Side by side" },
+  { id: "wipe", title: "Wipe" },
+  { id: "truth", title: "Truth only" },
+  { id: "prediction", title: "Prediction only" },
+];
+
+export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
+  return (
+    <div class="picture-tools">
+      <label>
+        Colour
+        <select value={colourMode.value} onChange={(event) => (colourMode.value = event.currentTarget.value as ColourMode)}>
+          {COLOUR_MODES.map(({ id, title }) => (
+            <option key={id} value={id}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label>
+        <span class="visually-hidden">Arrangement</span>
+        <select
+          value={arrangement.value}
+          onChange={(event) => (arrangement.value = event.currentTarget.value as Arrangement)}
+        >
+          {ARRANGEMENTS.map(({ id, title }) => (
+            <option key={id} value={id}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label>
+        <span class="visually-hidden">Look from</span>
+        <select
+          value=""
+          disabled={!view}
+          onChange={(event) => {
+            const chosen = STANDPOINTS.find((standpoint) => standpoint === event.currentTarget.value);
+            if (chosen) view?.lookFrom(chosen);
+            event.currentTarget.value = "";
+          }}
+        >
+          <option value="">Look from…</option>
+          {STANDPOINTS.map((standpoint) => (
+            <option key={standpoint} value={standpoint}>
+              {standpoint}
+            </option>
+          ))}
+        </select>
+      </label>
+      <button type="button" disabled={!view} onClick={() => view?.fit()}>
+        Fit
+      </button>
+      <label class="size">
+        Size
+        <input
+          type="range"
+          min={0.4}
+          max={4}
+          step={0.1}
+          value={pointSize.value}
+          onInput={(event) => (pointSize.value = event.currentTarget.valueAsNumber)}
+        />
+      </label>
+      <Toggle on={unsegmentedShown} yes="on" no="off" label="Unsegmented" />
+      <Toggle on={eyeDome} yes="on" no="off" label="Depth shading" />
+      <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
+    </div>
+  );
+}
+
+function Toggle<T extends string>({ on, yes, no, label }: { on: Signal<T>; yes: T; no: T; label: string }): JSX.Element {
+  return (
+    <label class="check">
+      <input
+        type="checkbox"
+        checked={on.value === yes}
+        onChange={(event) => (on.value = event.currentTarget.checked ? yes : no)}
+      />
+      {label}
+    </label>
+  );
+}
