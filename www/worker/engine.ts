@@ -76,7 +76,7 @@ const worker: EngineWorker = {
     const model = Model.generate(part, options);
     try {
       const { name } = model.info();
-      const method = model.degrade(options.seed ?? 1);
+      const method = model.imperfect(Number(options.seed ?? 1));
       return { name, files: [...written(model, name), ...written(model, name, method)] };
     } finally {
       model.free();

@@ -3,7 +3,7 @@
 // Every call is self-contained: it carries the files it needs, so any worker of the pool can
 // answer it and ending a worker loses nothing but the call under way.
 
-import type { GenerateOptions, Grouping, ModelInfo, Override, PartInfo, PrimitiveInfo, Report, Role } from "../app/engine/contract";
+import type { SampleOptions, Grouping, ModelInfo, Override, PartInfo, PrimitiveInfo, Report, Role } from "../app/engine/contract";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
@@ -68,7 +68,7 @@ export interface EngineWorker {
   group(paths: string[], overrides: Record<string, Override>): Promise<Grouping>;
   parts(): Promise<PartInfo[]>;
   /** Makes a sample part: the four files of its truth and those of an imperfect submission. */
-  generate(part: string, options: GenerateOptions): Promise<WrittenFiles>;
+  generate(part: string, options: SampleOptions): Promise<WrittenFiles>;
   score(source: ModelSource): Promise<ScoredModel>;
   open(source: ModelSource, method: string | undefined): Promise<ModelScene>;
 }

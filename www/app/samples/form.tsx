@@ -3,11 +3,11 @@
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import type { GenerateOptions } from "../engine/contract";
+import type { SampleOptions } from "../engine/contract";
 import { listParts, makeSample, partList } from "./samples";
 
 interface Control {
-  readonly id: keyof GenerateOptions;
+  readonly id: keyof SampleOptions;
   readonly label: string;
   readonly explanation: string;
   readonly min: number;
@@ -25,7 +25,7 @@ const CONTROLS: readonly Control[] = [
 
 export function SampleForm({ onMade }: { onMade: () => void }): JSX.Element {
   useEffect(() => void listParts(), []);
-  const options = useSignal<GenerateOptions>({});
+  const options = useSignal<SampleOptions>({});
   return (
     <form class="samples" onSubmit={(event) => event.preventDefault()}>
       <p>Each has a true ground truth and a submission that is imperfect on purpose, so that there is something to score.</p>

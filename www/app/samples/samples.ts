@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals";
 import { engine } from "../engine/client";
-import type { GenerateOptions, PartInfo } from "../engine/contract";
+import type { SampleOptions, PartInfo } from "../engine/contract";
 import { addMade } from "../state/inbox";
 import { notify } from "../state/notices";
 
@@ -16,7 +16,7 @@ export function listParts(): Promise<void> {
   return listed;
 }
 
-export async function makeSample(part: string, options: GenerateOptions, asOpening = false): Promise<void> {
+export async function makeSample(part: string, options: SampleOptions, asOpening = false): Promise<void> {
   try {
     const { name, files } = await engine.run((api) => api.generate(part, options));
     addMade(name, { kind: "sample", part, options }, files, asOpening);

@@ -1,7 +1,8 @@
 // How the points are shown; chosen once, kept for every model.
 
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { remembered } from "../state/settings";
+import type { Layout } from "../view/types";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 
 export type Arrangement = "split" | "truth" | "prediction" | "wipe";
@@ -10,6 +11,19 @@ export const colourMode = signal<ColourMode>(COLOUR_MODES[0].id);
 export const arrangement = remembered<Arrangement>("arrangement", "split", ["split", "truth", "prediction", "wipe"]);
 /** Place of the wipe's border, 0 left to 1 right. */
 export const wipeAt = signal(0.5);
+export const layout = computed<Layout>(() => {
+  switch (arrangement.value) {
+    case "split":
+      return { kind: "split" };
+    case "wipe":
+      return { kind: "wipe", at: wipeAt.value };
+    case "truth":
+      return { kind: "single", side: 0 };
+    case "prediction":
+      return { kind: "single", side: 1 };
+  }
+});
+
 export const eyeDome = remembered("eye-dome", "on", ["on", "off"] as const);
 export const unsegmentedShown = remembered("unsegmented", "on", ["on", "off"] as const);
 export const projection = remembered("projection", "perspective", ["perspective", "orthographic"] as const);

@@ -7,15 +7,7 @@ import { isDark, protocol } from "../state/settings";
 import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
 import { labelling, pairOf, table, type Labelling, type Shown } from "./colouring";
-import {
-  arrangement,
-  colourMode,
-  eyeDome,
-  pointSize,
-  projection,
-  unsegmentedShown,
-  wipeAt,
-} from "./display";
+import { colourMode, eyeDome, pointSize, projection, unsegmentedShown } from "./display";
 
 const SIDES = [0, 1] as const satisfies Side[];
 
@@ -34,12 +26,6 @@ export function link(view: PointView): () => void {
     effect(() => view.setEyeDome(eyeDome.value === "on" ? 1 : 0)),
     effect(() => view.setPointSize({ unit: "spacing", value: pointSize.value })),
     effect(() => view.setProjection(projection.value)),
-    effect(() => {
-      const chosen = arrangement.value;
-      if (chosen === "split") view.setLayout({ kind: "split" });
-      else if (chosen === "wipe") view.setLayout({ kind: "wipe", at: wipeAt.value });
-      else view.setLayout({ kind: "single", side: chosen === "truth" ? 0 : 1 });
-    }),
     effect(() => {
       const state = scene.value;
       if (state.kind !== "ready") return;

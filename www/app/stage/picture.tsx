@@ -1,132 +1,87 @@
 // The selected model's points: the canvas, what is said about it, and its controls.
 
 import type { JSX } from "preact";
-import { useSignal, type Signal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { signal } from "@preact/signals";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedMethod, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
-import { PointView } from "../view/point-view";
-import { ViewUnavailable, type Hit } from "../view/types";
-import { arrangement, wipeAt } from "./display";
+import type { PointView } from "../view/point-view";
+import type { Hit, ViewUnavailable } from "../view/types";
+import { ViewCanvas } from "../view/view-canvas";
+import { layout, wipeAt } from "./display";
 import { Legend } from "./legend";
 import { link } from "./link";
 import { Tools } from "./tools";
 import { primitiveAt, Tooltip, type Pointed } from "./tooltip";
 
-type Availability = { kind: "starting" } | { kind: "ready"; view: PointView } | { kind: "none"; why: string };
+const view = signal<PointView | undefined>(undefined);
+const unavailable = signal<ViewUnavailable | undefined>(undefined);
+const pointed = signal<Pointed | undefined>(undefined);
 
 export function Picture(): JSX.Element {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const state = useSignal<Availability>({ kind: "starting" });
-  const pointed = useSignal<Pointed | undefined>(undefined);
-
-  useEffect(() => {
-    if (!canvas.current) return;
-    let end: (() => void) | undefined;
-    let wanted = true;
-    PointView.create(canvas.current).then(
-      (view) => {
-        if (!wanted) {
-          view.dispose();
-          return;
-        }
-        end = attach(view, pointed);
-        state.value = { kind: "ready", view };
-      },
-      (error: unknown) => {
-        const why = error instanceof ViewUnavailable ? error.message : String(error);
-        state.value = { kind: "none", why };
-      },
-    );
-    return () => {
-      wanted = false;
-      end?.();
-    };
-  }, []);
-
-  const current = state.value;
-  const view = current.kind === "ready" ? current.view : undefined;
+  const current = layout.value;
   return (
     <div class="picture">
-      <Tools view={view} />
-      <div class="canvas-box" data-arrangement={arrangement.value}>
-        <canvas
-          ref={canvas}
-          tabIndex={0}
-          role="img"
-          aria-label="Points of the selected model, truth and prediction. Drag or use the arrow keys to turn."
+      <Tools view={view.value} />
+      <div class="canvas-box" data-layout={current.kind}>
+        <ViewCanvas
+          label="Points of the selected model. Drag, or use the arrow keys, to turn; plus and minus enlarge."
+          layout={current}
+          onLayout={(changed) => {
+            if (changed.kind === "wipe") wipeAt.value = changed.at;
+          }}
+          onReady={attach}
+          onUnavailable={(why) => (unavailable.value = why)}
         />
-        <SideNames />
-        {arrangement.value === "wipe" && <WipeSlider />}
+        {!(current.kind === "single" && current.side === 1) && <span class="side-name truth">Truth</span>}
+        {!(current.kind === "single" && current.side === 0) && (
+          <span class="side-name prediction">{selectedMethod.value ?? "No prediction"}</span>
+        )}
         <Legend />
         {pointed.value && <Tooltip {...pointed.value} />}
-        <State view={current} />
+        <State />
       </div>
     </div>
   );
 }
 
-function attach(view: PointView, pointed: Signal<Pointed | undefined>): () => void {
-  const unlink = link(view);
+function attach(created: PointView): () => void {
+  const unlink = link(created);
+  view.value = created;
   const refOf = (hit: Hit | undefined): PrimitiveRef | undefined => {
     const found = hit && primitiveAt(hit);
     return found && { side: found.side, index: found.place };
   };
-  view.on("hover", (hit, x, y) => {
+  created.on("hover", (hit, x, y) => {
     pointed.value = hit && { hit, x, y };
     hoveredPrimitive.value = refOf(hit);
   });
-  view.on("click", (hit) => {
+  created.on("click", (hit) => {
     const ref = refOf(hit);
     if (ref) togglePrimitive(ref);
     else selectedPrimitive.value = undefined;
   });
-  view.on("doubleClick", (hit) => {
+  created.on("doubleClick", (hit) => {
     const ref = refOf(hit);
-    if (!ref) {
-      view.fit();
-      return;
+    if (ref) {
+      selectedPrimitive.value = ref;
+      created.fitLabels(ref.side === "truth" ? 0 : 1, [ref.index + 1]);
+    } else {
+      created.fit();
     }
-    selectedPrimitive.value = ref;
-    view.fitLabels(ref.side === "truth" ? 0 : 1, [ref.index + 1]);
   });
   return () => {
     unlink();
-    view.dispose();
+    view.value = undefined;
+    pointed.value = undefined;
   };
 }
 
-function SideNames(): JSX.Element {
-  const chosen = arrangement.value;
-  return (
-    <>
-      {chosen !== "prediction" && <span class="side-name truth">Truth</span>}
-      {chosen !== "truth" && <span class="side-name prediction">{selectedMethod.value ?? "No prediction"}</span>}
-    </>
-  );
-}
-
-function WipeSlider(): JSX.Element {
-  return (
-    <input
-      class="wipe"
-      type="range"
-      min={0}
-      max={1}
-      step={0.01}
-      aria-label="Border between truth and prediction"
-      value={wipeAt.value}
-      onInput={(event) => (wipeAt.value = event.currentTarget.valueAsNumber)}
-    />
-  );
-}
-
-function State({ view }: { view: Availability }): JSX.Element | null {
+function State(): JSX.Element | null {
   const state = scene.value;
-  if (view.kind === "none") {
+  if (unavailable.value) {
     return (
       <p class="canvas-state" role="alert">
-        There is no picture: {view.why} Scores and tables work all the same.
+        There is no picture: {unavailable.value.message} Scores and tables work all the same.
       </p>
     );
   }
@@ -137,7 +92,7 @@ function State({ view }: { view: Availability }): JSX.Element | null {
       </p>
     );
   }
-  if (state.kind === "loading" || view.kind === "starting") return <p class="canvas-state">Opening…</p>;
+  if (state.kind === "loading" || !view.value) return <p class="canvas-state">Opening…</p>;
   if (state.kind === "none") return <p class="canvas-state">Choose a model to see its points.</p>;
   return null;
 }

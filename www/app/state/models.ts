@@ -1,13 +1,13 @@
 // The models on the page: which files they are made of and what scoring them gave.
 
 import { computed, signal } from "@preact/signals";
-import type { GenerateOptions } from "../engine/contract";
+import type { SampleOptions } from "../engine/contract";
 import type { MethodReports, ModelSource, ScoredModel } from "../../worker/protocol";
 
 /** Where a model came from; a sample can be made again from this alone. */
 export type Origin =
   | { readonly kind: "files" }
-  | { readonly kind: "sample"; readonly part: string; readonly options: GenerateOptions };
+  | { readonly kind: "sample"; readonly part: string; readonly options: SampleOptions };
 
 export type Status =
   | { readonly kind: "waiting" }
