@@ -7,6 +7,7 @@
 mod diagnostic;
 mod fit;
 mod group;
+mod imperfect;
 mod input;
 mod lists;
 mod model;
