@@ -10,20 +10,21 @@ import { MEASURE_TEXT, protocolNote } from "./measures";
 
 const explained = signal<{ measure: Measure; anchor: HTMLElement } | undefined>(undefined);
 
-export function ExplainButton({ measure }: { measure: Measure }): JSX.Element {
+/** Stands for itself beside a column head, or as the measure's name where that is all there is. */
+export function ExplainButton({ measure, named = false }: { measure: Measure; named?: boolean }): JSX.Element {
   const open = explained.value?.measure === measure;
   return (
     <button
       type="button"
-      class="explain"
-      aria-label={`What ${measure} means`}
+      class={named ? "explain named" : "explain"}
+      aria-label={named ? `${measure}: what it means` : `What ${measure} means`}
       aria-expanded={open}
       onClick={(event) => {
         event.stopPropagation();
         explained.value = open ? undefined : { measure, anchor: event.currentTarget };
       }}
     >
-      <Icon name="help" />
+      {named ? measure : <Icon name="help" />}
     </button>
   );
 }

@@ -66,8 +66,7 @@ function Readouts(): JSX.Element | null {
       {MEASURES.map((measure) => (
         <div key={measure}>
           <dt>
-            {measure}
-            <ExplainButton measure={measure} />
+            <ExplainButton measure={measure} named />
           </dt>
           <dd>{format.measure(measure, report.mean[measure])}</dd>
         </div>

@@ -129,7 +129,7 @@ function cell<Row>(column: Column<Row>, row: Row, names: boolean, selectable: bo
   return (
     <td
       key={column.id}
-      class={`${column.numeric ? "numeric" : ""} ${bar ? "bar" : ""}`}
+      class={`${column.numeric ? "numeric" : ""} ${bar ? "meter" : ""}`}
       style={bar}
       title={column.title?.(row)}
     >
