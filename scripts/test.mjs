@@ -45,7 +45,7 @@ const STEPS = [
     run: () =>
       run(
         "cargo",
-        ["test", "--locked", "--target", WASM_TARGET, "--package", "fit4cad-engine", "--tests"],
+        ["test", "--locked", "--target", WASM_TARGET, "--package", "fit4cad-engine", "--test", "boundary"],
         { capture: true },
       ),
   },

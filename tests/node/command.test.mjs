@@ -1,0 +1,84 @@
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { COMMAND, fit4cad, folder, submitted } from "./support.mjs";
+
+test("help goes to stdout and teaches each command", () => {
+  for (const args of [["--help"], ["score", "--help"], ["generate", "-h"], ["help", "score"]]) {
+    const { code, out, err } = fit4cad(...args);
+    assert.deepEqual([code, err], [0, ""]);
+    assert.match(out, /^fit4cad/);
+    assert.match(out, /Example|Try it/);
+  }
+  assert.match(fit4cad("score", "--help").out, /swap prediction and truth/);
+});
+
+test("a wrong call exits with 2, says what was expected and prints no result", () => {
+  const calls = [
+    [[], /score/],
+    [["scroe"], /no command "scroe"/],
+    [["score"], /at least one file/],
+    [["score", ".", "--format", "xml"], /expected table, json, csv, latex/],
+    [["score", ".", "--protocol", "mine"], /expected definition, published/],
+    [["score", ".", "--colour"], /--colour/],
+    [["generate"], /--list/],
+    [["generate", "teapot"], /no part "teapot"/],
+    [["generate", "flange", "--seed", "1.5"], /a whole number/],
+    [["generate", "flange", "--noise", "-1"], /--noise -1/],
+    [["generate", "flange", "--spacing", "7"], /spacing must be between/],
+  ];
+  for (const [args, expected] of calls) {
+    const { code, out, err } = fit4cad(...args);
+    assert.equal(code, 2, args.join(" "));
+    assert.equal(out, "", args.join(" "));
+    assert.match(err, expected);
+  }
+});
+
+test("every listed part is generated, scores itself and comes out the same again", (t) => {
+  const parts = fit4cad("generate", "--list").out.trim().split("\n").map((line) => line.split(" ")[0]);
+  assert.ok(parts.length >= 3);
+  const [first, second] = [folder(t, {}), folder(t, {})];
+  for (const part of parts) {
+    for (const out of [first, second]) {
+      const { code, err } = fit4cad("generate", part, "--spacing", "0.01", "--seed", "5", "--out", out);
+      assert.deepEqual([code, err], [0, ""]);
+    }
+  }
+  const files = readdirSync(first);
+  assert.equal(files.length, 4 * parts.length);
+  for (const file of files) {
+    assert.equal(readFileSync(join(first, file), "utf8"), readFileSync(join(second, file), "utf8"));
+  }
+  const { code, out } = fit4cad("score", first, "--self", "--format", "json");
+  assert.equal(code, 0);
+  const reports = JSON.parse(out);
+  assert.equal(reports.length, parts.length);
+  for (const { model, mean } of reports) {
+    assert.ok(mean.DSC === 1 && mean.dHaus < 1e-9 && mean.d1 === 0, model);
+  }
+});
+
+test("a reader that leaves early ends the command quietly", async (t) => {
+  const files = {};
+  for (let number = 1; number <= 120; number += 1) {
+    Object.assign(files, submitted(`PC${number}`, "HT"));
+  }
+  const args = [COMMAND, "score", folder(t, files), "--format", "json"];
+  const child = spawn(process.execPath, args, { stdio: ["ignore", "pipe", "pipe"] });
+  let err = "";
+  child.stderr.on("data", (chunk) => (err += chunk));
+  child.stdout.once("data", () => child.stdout.destroy());
+  const code = await new Promise((done) => child.on("close", done));
+  assert.equal(err, "");
+  assert.equal(code, 0);
+});
+
+test("nothing but the result is written when piped", (t) => {
+  const { out, err } = fit4cad("score", folder(t, submitted("PC1", "HT")));
+  assert.equal(err, "");
+  // eslint-disable-next-line no-control-regex -- terminal codes are what is looked for
+  assert.doesNotMatch(out, /[\u0000-\u0009\u000b-\u001f\u007f]/);
+});
