@@ -101,6 +101,8 @@ pub struct Lens {
     pub scale: f32,
     /// Distance from the eye to the target.
     pub reference: f32,
+    /// Rotation of the camera.
+    pub rotation: Quat,
 }
 
 impl Default for Camera {
@@ -186,6 +188,7 @@ impl Camera {
             eye,
             scale,
             reference: self.distance(),
+            rotation: self.rotation,
         }
     }
 

@@ -83,7 +83,12 @@ impl<T> Revised<T> {
 
     /// Sets it.
     pub fn set(&mut self, value: T) {
-        self.value = value;
+        self.change(|held| *held = value);
+    }
+
+    /// Changes it in place.
+    pub fn change(&mut self, act: impl FnOnce(&mut T)) {
+        act(&mut self.value);
         self.revision += 1;
     }
 }

@@ -11,10 +11,13 @@ pub mod cloud;
 pub mod colouring;
 pub mod controls;
 pub mod eye_dome;
+pub mod gizmo;
 pub mod gl;
 pub mod layout;
+pub mod lines;
 pub mod motion;
 pub mod palette;
+pub mod patch;
 pub mod picking;
 pub mod points;
 pub mod renderer;
@@ -32,6 +35,7 @@ use crate::controls::Flight;
 use crate::gl::GlError;
 use crate::layout::{Layout, Side};
 use crate::motion::Motion;
+use crate::patch::SurfacePatch;
 use crate::picking::PickState;
 use crate::renderer::Renderer;
 use crate::scene::{Frame, PointSize, Scene};
@@ -165,6 +169,33 @@ impl View {
         self.scene.colouring_mut(Side::from_index(side)).by = ColourBy::Normal;
     }
 
+    /// Removes the patches.
+    pub fn clear_patches(&mut self) {
+        self.scene.patches.set(Vec::new());
+    }
+
+    /// Adds a patch of a surface on a side: colour r g b, x y z of each vertex and of its normal,
+    /// three indices a triangle, six coordinates a line and what it is (0 rim, 1 axis, 2 radius,
+    /// 3 centre).
+    #[allow(clippy::too_many_arguments)]
+    pub fn add_patch(
+        &mut self,
+        side: usize,
+        colour: &[u8],
+        positions: &[f32],
+        normals: &[f32],
+        triangles: &[u32],
+        lines: &[f32],
+        marks: &[u8],
+    ) {
+        let colour = colour.try_into().unwrap_or([128; 3]);
+        let side = Side::from_index(side);
+        let patch = SurfacePatch::new(side, colour, positions, normals, triangles);
+        self.scene
+            .patches
+            .change(|patches| patches.push(patch.with_lines(lines, marks)));
+    }
+
     /// Shows one side alone.
     pub fn show_single(&mut self, side: usize) {
         self.scene.layout = Layout::Single(Side::from_index(side));
@@ -193,6 +224,11 @@ impl View {
     /// Sets the strength of eye-dome lighting, 0 off, 1 usual.
     pub fn set_eye_dome(&mut self, strength: f32) {
         self.scene.display.eye_dome = strength.clamp(0.0, 10.0);
+    }
+
+    /// Shows or hides the directions of the axes in the corner.
+    pub fn set_gizmo(&mut self, shown: bool) {
+        self.scene.display.gizmo = shown;
     }
 
     /// Sets the colour of the background and of what stands out from it (0 to 1 per channel).

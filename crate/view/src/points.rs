@@ -15,8 +15,8 @@ layout(location = 1) in uint label;
 layout(location = 2) in float scalar;
 layout(location = 3) in vec3 normal;
 uniform mat4 view_projection;
-// Diameter in cloud units times pixels per unit at w = 1; 0 where the size is in pixels.
-uniform float diameter;
+uniform float scale;    // pixels per cloud unit at w = 1
+uniform float diameter; // in cloud units; 0 where the size is in pixels
 uniform vec2 pixels; // least and greatest diameter
 uniform int colour_by;
 uniform vec2 range;
@@ -24,6 +24,10 @@ uniform vec3 background;
 uniform sampler2D label_table;
 uniform sampler2D colour_map;
 flat out vec4 colour;
+#ifdef TILTED
+uniform vec3 right, up, back;   // the camera's axes
+flat out vec3 tilt;             // depth across the disc: per half width, per half height; of a radius
+#endif
 
 void main() {
     uint row = min(label, MAX_LABEL);
@@ -37,7 +41,7 @@ void main() {
         return;
     }
     gl_Position = view_projection * vec4(position, 1.0);
-    gl_PointSize = clamp(diameter / max(gl_Position.w, 1e-20), pixels.x, pixels.y);
+    gl_PointSize = clamp(diameter * scale / max(gl_Position.w, 1e-20), pixels.x, pixels.y);
 #ifdef PICK
     uint id = uint(gl_VertexID) + 1u;
     colour = vec4(id & 255u, (id >> 8) & 255u, (id >> 16) & 255u, id >> 24) / 255.0;
@@ -51,6 +55,18 @@ void main() {
         shown = abs(normal) / max(length(normal), 1e-6);
     }
     if (state == 1) shown = mix(background, shown, 0.16);
+#ifdef TILTED
+    vec3 seen = vec3(dot(normal, right), dot(normal, up), dot(normal, back));
+    vec2 slope = abs(seen.z) > 1e-3 ? -seen.xy / seen.z : vec2(0.0);
+    // Seen nearly edge on, a disc would be thinner than a pixel.
+    float steepness = length(slope), limit = gl_PointSize > 4.0 ? 3.0 : 1.0;
+    if (steepness > limit) slope *= limit / steepness;
+    float radius = 0.5 * gl_PointSize * gl_Position.w / scale;
+    vec4 nearer = view_projection * vec4(position + back * radius, 1.0);
+    tilt = vec3(slope, 0.5 * (nearer.z / nearer.w - gl_Position.z / gl_Position.w));
+    // A light at the viewer. Scalars are read off their colours: those stay as they are.
+    if (colour_by == 0 && dot(seen, seen) > 0.1) shown *= 0.72 + 0.28 * abs(seen.z);
+#endif
     // The alpha channel tells the next pass what is highlighted.
     colour = vec4(shown, state == 3 ? 0.5 : 1.0);
 #endif
@@ -60,16 +76,29 @@ void main() {
 const FRAGMENT: &str = "
 flat in vec4 colour;
 out vec4 fragment;
+#ifdef TILTED
+flat in vec3 tilt;
+#endif
 
 void main() {
     vec2 offset = gl_PointCoord * 2.0 - 1.0;
+#ifdef TILTED
+    float nearer = dot(tilt.xy, vec2(offset.x, -offset.y));
+    if (dot(offset, offset) + nearer * nearer > 1.0) discard;
+    gl_FragDepth = gl_FragCoord.z + nearer * tilt.z;
+#else
     if (dot(offset, offset) > 1.0) discard;
+#endif
     fragment = colour;
 }
 ";
 
-const UNIFORMS: [&str; 8] = [
+const UNIFORMS: [&str; 12] = [
     "view_projection",
+    "scale",
+    "right",
+    "up",
+    "back",
     "diameter",
     "pixels",
     "colour_by",
@@ -107,11 +136,15 @@ pub struct Sight {
 #[derive(Debug)]
 pub struct Points {
     show: Program,
+    /// Where normals are known, points are discs that lie in the surface: depth is continuous
+    /// across them, so eye-dome lighting shades the shape and not the discs.
+    show_tilted: Program,
     pick: Program,
     positions: Buffer,
     normals: Buffer,
     sides: [SideBuffers; 2],
     count: usize,
+    has_normals: bool,
     uploaded: (u64, u64),
 }
 
@@ -171,6 +204,7 @@ impl Points {
         let positions = Buffer::vertices(gl)?;
         Ok(Self {
             show: program("#define LEAST_STATE 1\n")?,
+            show_tilted: program("#define TILTED\n#define LEAST_STATE 1\n")?,
             // What is faded lets the cursor through to what is not.
             pick: program("#define PICK\n#define LEAST_STATE 2\n")?,
             sides: [
@@ -180,6 +214,7 @@ impl Points {
             normals: Buffer::vertices(gl)?,
             positions,
             count: 0,
+            has_normals: false,
             uploaded: (u64::MAX, u64::MAX),
         })
     }
@@ -193,6 +228,7 @@ impl Points {
         }
         if self.uploaded.1 != normals.revision() {
             self.normals.upload(gl, normals.get());
+            self.has_normals = !normals.get().is_empty();
             for side in &self.sides {
                 side.array.bind(gl);
                 if normals.get().is_empty() {
@@ -212,8 +248,17 @@ impl Points {
     /// Draws a pane's points into the bound target, with depth test. What is faded is mixed with
     /// the background.
     pub fn draw(&self, gl: &Gl, sight: &Sight, colour_by: ColourBy, background: Vec3) {
-        let program = &self.show;
+        let program = if self.has_normals {
+            &self.show_tilted
+        } else {
+            &self.show
+        };
         program.activate(gl);
+        if self.has_normals {
+            program.set_vec3(gl, "right", sight.lens.rotation * Vec3::X);
+            program.set_vec3(gl, "up", sight.lens.rotation * Vec3::Y);
+            program.set_vec3(gl, "back", sight.lens.rotation * Vec3::Z);
+        }
         let (mode, range) = match colour_by {
             ColourBy::Label => (0, Vec2::Y),
             ColourBy::Scalar { low, high } => {
@@ -251,7 +296,8 @@ impl Points {
         }
         program.set_i32(gl, "label_table", 0);
         program.set_mat4(gl, "view_projection", &lens.view_projection);
-        program.set_f32(gl, "diameter", scale.diameter * lens.scale);
+        program.set_f32(gl, "scale", lens.scale);
+        program.set_f32(gl, "diameter", scale.diameter);
         program.set_vec2(gl, "pixels", Vec2::new(scale.least, scale.greatest));
         side.palette.bind(gl);
         side.array.bind(gl);

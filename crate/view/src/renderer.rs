@@ -1,10 +1,14 @@
 //! Draws a scene: points into a target of their own, then onto the canvas with eye-dome lighting.
 
-use glam::Vec4;
+use glam::{Vec2, Vec3, Vec4};
 
+use crate::camera::Projection;
 use crate::eye_dome::{EyeDome, Finish};
+use crate::gizmo;
 use crate::gl::{Export, Gl, GlError, SceneTarget};
 use crate::layout::{Pane, Rect};
+use crate::lines::{LineBuffer, Lines};
+use crate::patch::Patches;
 use crate::picking::Picker;
 use crate::points::Points;
 use crate::scene::{Frame, Scene};
@@ -24,6 +28,9 @@ pub struct Renderer {
     /// Picks points.
     pub picker: Picker,
     eye_dome: EyeDome,
+    patches: Patches,
+    lines: Lines,
+    gizmo: LineBuffer,
     screen: Option<SceneTarget>,
 }
 
@@ -41,11 +48,17 @@ impl Renderer {
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         gl.enable(Gl::DEPTH_TEST);
         gl.depth_func(Gl::LEQUAL);
+        // Colours premultiplied by opacity in the target, for pictures with a clear background.
+        let (over, add) = (Gl::ONE_MINUS_SRC_ALPHA, Gl::ONE);
+        gl.blend_func_separate(Gl::SRC_ALPHA, over, add, over);
         gl.pixel_storei(Gl::UNPACK_ALIGNMENT, 1);
         Ok(Self {
             points: Points::new(gl)?,
             picker: Picker::new(gl)?,
             eye_dome: EyeDome::new(gl)?,
+            patches: Patches::new(gl)?,
+            lines: Lines::new(gl)?,
+            gizmo: LineBuffer::new(gl)?,
             screen: None,
         })
     }
@@ -53,6 +66,7 @@ impl Renderer {
     /// Uploads what has changed in the scene.
     pub fn sync(&mut self, gl: &Gl, scene: &Scene) {
         self.points.sync(gl, scene);
+        self.patches.sync(gl, scene);
     }
 
     /// Draws onto the canvas, with the first `count` points.
@@ -155,7 +169,7 @@ impl Renderer {
         gl.disable(Gl::SCISSOR_TEST);
     }
 
-    fn finish(&self, gl: &Gl, points: &SceneTarget, shot: &Shot<'_>) {
+    fn finish(&mut self, gl: &Gl, points: &SceneTarget, shot: &Shot<'_>) {
         let Shot {
             scene, frame, tile, ..
         } = shot;
@@ -179,8 +193,46 @@ impl Renderer {
             let projection = scene.camera.projection;
             self.eye_dome
                 .draw(gl, points, visible, &lens, projection, &finish);
+            shot.enter(gl, pane);
+            let viewport = Vec2::new(pane.viewport.width as f32, pane.viewport.height as f32);
+            let towards = match projection {
+                Projection::Perspective => None,
+                Projection::Orthographic => Some(lens.rotation * Vec3::Z),
+            };
+            let lift = scene.cloud.get().spacing();
+            let style = (viewport, frame.pixel_ratio, lift);
+            self.patches
+                .draw(gl, &self.lines, pane.side, &lens, towards, style);
         }
         gl.disable(Gl::SCISSOR_TEST);
+        if display.gizmo {
+            self.draw_gizmo(gl, shot);
+        }
+    }
+
+    /// Draws the axes into the lower left corner of the picture.
+    fn draw_gizmo(&mut self, gl: &Gl, shot: &Shot<'_>) {
+        let Shot {
+            scene, frame, tile, ..
+        } = shot;
+        let side = (gizmo::SIZE * frame.pixel_ratio) as i32;
+        if side * 3 > frame.width.min(frame.height) {
+            return;
+        }
+        self.gizmo.stream(gl, &gizmo::lines(scene.camera.rotation));
+        gl.viewport(-tile.x, -tile.y, side, side);
+        gl.disable(Gl::DEPTH_TEST);
+        gl.enable(Gl::BLEND);
+        let (projection, viewport) = (gizmo::projection(gizmo::SIZE), Vec2::splat(side as f32));
+        self.lines.draw(
+            gl,
+            &self.gizmo,
+            &projection,
+            viewport,
+            (frame.pixel_ratio, 1.0),
+        );
+        gl.disable(Gl::BLEND);
+        gl.enable(Gl::DEPTH_TEST);
     }
 }
 

@@ -7,6 +7,7 @@ use crate::camera::{Camera, Lens};
 use crate::cloud::{Bounds, Cloud};
 use crate::colouring::{Colouring, Revised};
 use crate::layout::{Layout, Pane, Panes, Side};
+use crate::patch::SurfacePatch;
 use crate::points::{PointScale, Sight};
 
 /// How large points are drawn.
@@ -54,6 +55,8 @@ pub struct Scene {
     pub normals: Revised<Vec<[i8; 4]>>,
     /// Colours of the two sides.
     pub colourings: [Colouring; 2],
+    /// Patches of fitted surfaces.
+    pub patches: Revised<Vec<SurfacePatch>>,
     /// Where the viewer stands.
     pub camera: Camera,
     /// How the canvas is divided.
@@ -74,10 +77,11 @@ pub struct Frame {
 }
 
 impl Scene {
-    /// Replaces the points; labels, scalars and normals go with them.
+    /// Replaces the points; labels, scalars, normals and patches go with them.
     pub fn set_cloud(&mut self, coordinates: &[f32]) {
         self.cloud.set(Cloud::new(coordinates));
         self.normals.set(Vec::new());
+        self.patches.set(Vec::new());
         for colouring in &mut self.colourings {
             colouring.clear(self.cloud.get());
         }

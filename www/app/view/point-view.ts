@@ -14,6 +14,7 @@ import {
   type Side,
   type Standpoint,
   STANDPOINTS,
+  type SurfacePatch,
   type Theme,
   type ViewEvents,
   ViewUnavailable,
@@ -172,6 +173,16 @@ export class PointView {
     this.change((view) => view.colour_by_normal(side));
   }
 
+  /** Replaces the patches drawn over the points; none takes them all away. */
+  setPatches(patches: readonly SurfacePatch[]): void {
+    this.change((view) => {
+      view.clear_patches();
+      for (const { side, colour, positions, normals, triangles, lines, marks } of patches) {
+        view.add_patch(side, bytes([colour]), positions, normals, triangles, lines, marks);
+      }
+    });
+  }
+
   setLayout(layout: Layout): void {
     this.layout = layout;
     this.change((view) => {
@@ -194,6 +205,11 @@ export class PointView {
   /** Strength of eye-dome lighting: 0 off, 1 usual. */
   setEyeDome(strength: number): void {
     this.change((view) => view.set_eye_dome(strength));
+  }
+
+  /** Shows or hides the directions of x, y and z in the corner. */
+  setGizmo(shown: boolean): void {
+    this.change((view) => view.set_gizmo(shown));
   }
 
   setTheme(theme: Theme): void {

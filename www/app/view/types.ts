@@ -45,6 +45,31 @@ export interface Theme {
   readonly ink: string;
 }
 
+/** What a line of a patch stands for; `Centre` is a dot, the apex of a cone or a centre. */
+export enum PatchMark {
+  Rim = 0,
+  Axis = 1,
+  Radius = 2,
+  Centre = 3,
+}
+
+/** The part of a fitted surface that its points cover, relative to the cloud's centre. */
+export interface SurfacePatch {
+  readonly side: Side;
+  /** `#rrggbb` */
+  readonly colour: string;
+  /** x y z per vertex. */
+  readonly positions: Float32Array;
+  /** Unit normal x y z per vertex. */
+  readonly normals: Float32Array;
+  /** Three vertices per triangle. */
+  readonly triangles: Uint32Array;
+  /** Start and end, x y z each, per line. */
+  readonly lines: Float32Array;
+  /** A `PatchMark` per line. */
+  readonly marks: Uint8Array;
+}
+
 /** The point found under the cursor. */
 export interface Hit {
   readonly side: Side;

@@ -11,6 +11,7 @@ mod implicit;
 pub mod implicitization;
 mod motion;
 mod parametric;
+pub mod patch;
 mod plane;
 pub mod polynomial;
 mod sphere;
