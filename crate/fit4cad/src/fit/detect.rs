@@ -15,7 +15,7 @@ const SIZES: [usize; 3] = [10, 16, 28];
 /// A plane that grew to so many unexplained points needs no rival.
 const CLEAR: usize = 60;
 
-/// What a pass of [`greedy`] looks for.
+/// What a pass looks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pass {
     /// Faces with an inside.
@@ -25,18 +25,27 @@ pub enum Pass {
     Borders,
 }
 
-/// Finds surfaces through unexplained points until no seed leads to another: first faces with an
-/// inside, then what must lie between their borders.
+/// Finds faces through unexplained points until no seed leads to another.
 ///
 /// Seeds are visited in random order. Where a seed leads nowhere, as in free-form regions, its
 /// neighbours are not tried in the same round: most of the time would go there.
-pub fn greedy(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
+pub fn faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
+    let order = shuffled(search);
+    round(search, Pass::Faces, &order, 16, observer)?;
+    round(search, Pass::Faces, &order, 6, observer)
+}
+
+/// Finds what must lie between the borders of the faces found so far.
+pub fn borders(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
+    search.reopen_borders();
+    let order = shuffled(search);
+    round(search, Pass::Borders, &order, 6, observer)
+}
+
+fn shuffled(search: &mut Search<'_>) -> Vec<u32> {
     let mut order: Vec<u32> = (0u32..).take(search.cloud.len()).collect();
     search.random.shuffle(&mut order);
-    round(search, Pass::Faces, &order, 16, observer)?;
-    round(search, Pass::Faces, &order, 6, observer)?;
-    search.reopen_borders();
-    round(search, Pass::Borders, &order, 6, observer)
+    order
 }
 
 fn round(
@@ -155,7 +164,7 @@ fn hypotheses(
         let known = candidates.iter().any(|c| {
             c.surface.kind() == kind && seeds.iter().all(|i| c.support.binary_search(i).is_ok())
         });
-        if known {
+        if known || search.is_known(kind, &seeds) {
             continue;
         }
         if let Some(candidate) = search.grow(&surface, &seeds)

@@ -91,8 +91,9 @@ pub fn fit(
     }
     match method {
         Method::Hough => hough::find(&mut search, observer)?,
-        Method::Growing => detect::greedy(&mut search, observer)?,
+        Method::Growing => detect::faces(&mut search, observer)?,
     }
+    detect::borders(&mut search, observer)?;
     let segmentation = stages::finish(&search, observer)?;
     Ok(Fit {
         segmentation,

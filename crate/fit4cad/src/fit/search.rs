@@ -113,6 +113,23 @@ impl<'a> Search<'a> {
         !self.open[index as usize]
     }
 
+    /// Whether an accepted surface of the family already passes through all these points.
+    pub fn is_known(&self, kind: SurfaceType, seeds: &[u32]) -> bool {
+        let through = |candidate: &Candidate| {
+            candidate.surface.kind() == kind
+                && seeds
+                    .iter()
+                    .all(|&i| candidate.surface.distance(self.point(i)) <= self.scale.tolerance)
+        };
+        let mut last = u32::MAX;
+        seeds.iter().any(|&i| {
+            let holder = self.holder[i as usize];
+            let new = holder != u32::MAX && holder != last;
+            last = holder;
+            new && through(&self.accepted[holder as usize])
+        })
+    }
+
     /// Opens the points at which a surface ends and no other takes over. They have one label, and
     /// their neighbours on its surface leave a gap around them: there a face is missing that has no
     /// points of its own, as thin walls, chamfers and countersinks have not. O(n).

@@ -14,8 +14,49 @@ const EXPLAINED: f64 = 0.5;
 pub fn prune(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates.sort_by_key(|candidate| std::cmp::Reverse(candidate.support.len()));
     let candidates = merge_equal(search, candidates);
-    drop_explained(search, candidates)
+    let candidates = drop_explained(search, candidates);
+    drop_adrift(search, candidates)
 }
+
+/// Drops small patches most of whose surroundings lie on no surface: on a free-form region some
+/// dozen points always fit something, while a true face is surrounded by other faces. Smallest
+/// first, each drop leaving its neighbours more adrift, until nothing changes.
+fn drop_adrift(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+    let mut claims = vec![0u32; search.cloud.len()];
+    for &index in candidates.iter().flat_map(|c| &c.support) {
+        claims[index as usize] += 1;
+    }
+    loop {
+        let adrift = candidates.iter().rposition(|candidate| {
+            candidate.support.len() < SMALL && share_adrift(search, candidate, &claims) > ADRIFT
+        });
+        let Some(place) = adrift else {
+            return candidates;
+        };
+        for index in candidates.remove(place).support {
+            claims[index as usize] -= 1;
+        }
+    }
+}
+
+/// Share of the points around a patch that no patch holds.
+fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
+    let (mut outside, mut unheld) = (0u32, 0u32);
+    for &index in &candidate.support {
+        for &neighbour in search.graph.of(index).iter().take(8) {
+            if candidate.support.binary_search(&neighbour).is_err() {
+                outside += 1;
+                unheld += u32::from(claims[neighbour as usize] == 0);
+            }
+        }
+    }
+    f64::from(unheld) / f64::from(outside.max(1))
+}
+
+/// Patches of fewer points may be accidents.
+const SMALL: usize = 150;
+/// Share of surrounding points on no surface that makes a small patch an accident.
+const ADRIFT: f64 = 0.5;
 
 fn merge_equal(search: &Search<'_>, candidates: Vec<Candidate>) -> Vec<Candidate> {
     let mut merged: Vec<Candidate> = Vec::with_capacity(candidates.len());
