@@ -248,7 +248,7 @@ impl Model {
         submissions.map(|submission| submission.method.as_str())
     }
 
-    fn segmentation(&self, method: Option<&str>) -> Result<&Segmentation, JsError> {
+    pub(crate) fn segmentation(&self, method: Option<&str>) -> Result<&Segmentation, JsError> {
         let name = &self.model.name;
         let Some(method) = method else {
             let truth = self.model.truth.as_ref();

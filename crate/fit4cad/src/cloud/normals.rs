@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, SymmetricEigen};
 
+use super::neighbours::{KdTree, Neighbourhoods};
 use super::{Direction, Point, Vector};
 
 /// Principal directions of a group of points.
@@ -69,6 +70,22 @@ impl Spread {
     }
 }
 
+/// Unit normals of points, without a sign: for each the normal of the plane that best fits it and
+/// its `count` nearest neighbours (Hoppe et al. 1992); the z axis where there is no such plane.
+/// O(n log n).
+pub fn estimate_normals(points: &[Point], count: usize) -> Vec<Direction> {
+    let neighbourhoods = Neighbourhoods::new(points, &KdTree::new(points), count);
+    (0_u32..)
+        .zip(points)
+        .map(|(index, point)| {
+            let neighbours = neighbourhoods.of(index).iter();
+            let near = neighbours.filter_map(|&other| points.get(other as usize));
+            let spread = Spread::of(near.chain(std::iter::once(point)));
+            spread.map_or_else(Vector::z_axis, |spread| spread.normal())
+        })
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,5 +127,30 @@ mod tests {
         assert_eq!(Spread::of([].iter()), None);
         let same = [Point::origin(); 4];
         assert_eq!(Spread::of(same.iter()).unwrap().surface_variation(), 0.0);
+    }
+
+    #[test]
+    fn normals_of_a_block_of_points_face_its_sides() {
+        let face = |i: u32| (f64::from(i % 12), f64::from(i / 12));
+        let top = (0..144).map(face).map(|(u, v)| Point::new(u, v, 20.0));
+        let side = (0..144).map(face).map(|(u, v)| Point::new(40.0, u, v));
+        let points: Vec<Point> = top.chain(side).collect();
+        let normals = estimate_normals(&points, 8);
+        assert_eq!(normals.len(), points.len());
+        for (point, normal) in points.iter().zip(&normals) {
+            let expected = if point.z == 20.0 {
+                Vector::z()
+            } else {
+                Vector::x()
+            };
+            assert!(normal.dot(&expected).abs() > 1.0 - 1e-9, "{point}");
+        }
+    }
+
+    #[test]
+    fn few_points_or_none_have_normals_too() {
+        assert!(estimate_normals(&[], 8).is_empty());
+        let alone = estimate_normals(&[Point::origin()], 8);
+        assert!((alone[0].norm() - 1.0).abs() < 1e-12);
     }
 }
