@@ -1,6 +1,8 @@
 //! What the generated parts promise: exact truth, shared edges, even spacing, options that do what
 //! they say.
 
+#![allow(clippy::expect_used, reason = "helpers of tests")]
+
 use std::collections::BTreeMap;
 
 use fit4cad::cloud::Point;

@@ -39,9 +39,7 @@ impl Scale {
         let exact = LEVELS
             .into_iter()
             .map(|level| level * diagonal)
-            .find(|&level| {
-                share_of_exact_patches(cloud.points(), graph, level, diagonal) >= EXACT_SHARE
-            });
+            .find(|&level| share_of_exact_patches(cloud.points(), graph, level) >= EXACT_SHARE);
         let (noise, estimated) = match exact {
             Some(level) => (level / SIGMAS, level),
             None => {
@@ -82,12 +80,7 @@ fn spacing(points: &[Point], graph: &Neighbourhoods) -> f64 {
 }
 
 /// Share of sampled neighbourhoods at least half of which lie on one surface to the tolerance.
-fn share_of_exact_patches(
-    points: &[Point],
-    graph: &Neighbourhoods,
-    tolerance: f64,
-    diagonal: f64,
-) -> f64 {
+fn share_of_exact_patches(points: &[Point], graph: &Neighbourhoods, tolerance: f64) -> f64 {
     let kinds = [
         SurfaceType::Plane,
         SurfaceType::Cylinder,

@@ -132,6 +132,10 @@ impl Part {
 
     /// The part with a solid added.
     #[must_use]
+    #[allow(
+        clippy::should_implement_trait,
+        reason = "the counterpart of `cut`, which no operator names"
+    )]
     pub fn add(self, solid: Solid) -> Self {
         self.with(Operation::Add, solid)
     }
