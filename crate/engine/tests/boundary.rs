@@ -1,5 +1,9 @@
 //! The boundary as JavaScript meets it, under Node.
 #![cfg(target_arch = "wasm32")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "clippy knows `#[test]`, not `#[wasm_bindgen_test]`"
+)]
 
 use fit4cad_engine::{Model, fit_parameters, group, parts, version};
 use js_sys::{JSON, Object, Reflect, Uint8Array};
