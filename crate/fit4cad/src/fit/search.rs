@@ -318,7 +318,7 @@ impl<'a> Search<'a> {
     }
 
     /// What a candidate is worth: its points, those that nothing else explains counting three times.
-    fn worth(&self, candidate: &Candidate) -> f64 {
+    pub fn worth(&self, candidate: &Candidate) -> f64 {
         (candidate.support.len() + 2 * self.own(candidate)) as f64
     }
 

@@ -2,20 +2,19 @@
 //! explain, and vote again until nothing is left to find.
 
 use super::family::Region;
+use super::rounds::round;
 use super::solutions;
-use super::vote::{Spaces, Summit, Vote};
-use crate::fit::least_squares::{self, Loss};
-use crate::fit::{Cancelled, Candidate, Observer, Search, Stage};
-use crate::surface::{Surface, SurfaceType};
+use super::vote::{Spaces, Vote};
+use crate::fit::{Cancelled, Observer, Search, Stage};
+use crate::surface::SurfaceType;
 
 /// Width of a direction cell in radians.
 const ANGLE_STEP: f64 = 0.03;
 /// Points that vote in the first round over a large cloud.
 const FIRST_VOTERS: usize = 6000;
-/// Neighbourhoods solved per round of curved votes.
-const SEEDS: usize = 400;
-/// Neighbourhood sizes, tried in turn.
-const SIZES: [usize; 3] = [16, 28, 10];
+/// Neighbourhoods that vote in one round. A face of a good size gets several votes, and a small
+/// batch wastes few on what the round's winners explain.
+const BATCH: usize = 48;
 
 /// Finds the surfaces of a cloud; they are the search's accepted candidates afterwards.
 ///
@@ -27,36 +26,80 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
     let spaces = Spaces::new(region(search));
     planes(search, &spaces);
     observer.progress(Stage::Find, 0.3)?;
-    let count = search.cloud.len();
-    let mut blocked = vec![false; count];
-    for (turn, size) in SIZES.into_iter().enumerate() {
-        blocked.fill(false);
-        let mut least = 2;
-        loop {
-            let seeds = seeds(search, &blocked);
-            if seeds.is_empty() {
-                break;
+    // Neighbourhoods within one face: cheap, and wrong ones give no vote at all.
+    for size in [16, 28, 10] {
+        search_with(search, &spaces, observer, &mut |search, seed, votes, _| {
+            let patch = search.unexplained_near(seed, size);
+            if patch.len() >= 10 {
+                votes.extend(solutions::pure_vote(search, seed, &patch));
             }
-            let mut votes = Vec::new();
-            for &seed in &seeds {
+        })?;
+    }
+    // What is left is small, thin or free-form.
+    for size in [10, 16, 28] {
+        search_with(
+            search,
+            &spaces,
+            observer,
+            &mut |search, seed, votes, blocked| {
+                const KINDS: [SurfaceType; 4] = [
+                    SurfaceType::Plane,
+                    SurfaceType::Sphere,
+                    SurfaceType::Cylinder,
+                    SurfaceType::Cone,
+                ];
                 let patch = search.unexplained_near(seed, size);
-                if patch.len() >= 8 {
-                    solutions::votes(search, seed, &patch, &mut votes);
+                if patch.len() >= 6 {
+                    let before = votes.len();
+                    solutions::mixed_votes(search, seed, &patch, &KINDS, votes);
+                    if votes.len() == before {
+                        for &index in patch.iter().take(8) {
+                            blocked[index as usize] = true;
+                        }
+                    }
                 }
-                blocked[seed as usize] = true;
-            }
-            let accepted = round(search, &spaces, &votes, least);
-            if accepted > 0 {
-                least = 2;
-            } else {
-                least = 1;
-            }
-            let left = (0..count as u32)
-                .filter(|&i| !search.is_explained(i))
-                .count();
-            let done = 1.0 - left as f64 / count as f64;
-            observer.progress(Stage::Find, 0.3 + 0.7 * (turn as f64 + done) / 3.0)?;
+            },
+        )?;
+    }
+    Ok(())
+}
+
+/// What a seed votes for; may also block points from being seeds.
+type Voter<'v> = dyn FnMut(&Search<'_>, u32, &mut Vec<Vote>, &mut [bool]) + 'v;
+
+/// Rounds of votes by unexplained points until each has been a seed, was blocked or is explained.
+fn search_with(
+    search: &mut Search<'_>,
+    spaces: &Spaces,
+    observer: &mut dyn Observer,
+    voter: &mut Voter<'_>,
+) -> Result<(), Cancelled> {
+    let count = search.cloud.len();
+    let mut order: Vec<u32> = (0..count as u32)
+        .filter(|&i| !search.is_explained(i))
+        .collect();
+    search.random.shuffle(&mut order);
+    let mut blocked = vec![false; count];
+    let mut votes = Vec::new();
+    let mut fresh = 0;
+    for (turn, &seed) in order.iter().enumerate() {
+        if search.is_explained(seed) || blocked[seed as usize] {
+            continue;
         }
+        let before = votes.len();
+        voter(search, seed, &mut votes, &mut blocked);
+        fresh += usize::from(votes.len() > before);
+        if fresh == BATCH {
+            // Votes that no winner explained stay and are counted again with the next.
+            round(search, spaces, &votes, &mut |_| {});
+            votes.retain(|vote| !search.is_explained(vote.point));
+            fresh = 0;
+            let share = turn as f64 / order.len() as f64;
+            observer.progress(Stage::Find, 0.3 + 0.6 * share)?;
+        }
+    }
+    while round(search, spaces, &votes, &mut |_| {}) > 0 {
+        votes.retain(|vote| !search.is_explained(vote.point));
     }
     Ok(())
 }
@@ -80,80 +123,10 @@ fn planes(search: &mut Search<'_>, spaces: &Spaces) {
             .filter(|&index| !search.is_explained(index))
             .filter_map(|index| solutions::flat_vote(search, index))
             .collect();
-        let accepted = round(search, spaces, &votes, 1);
+        let accepted = round(search, spaces, &votes, &mut |_| {});
         if accepted == 0 && stride == 1 {
             return;
         }
         stride = (stride / 4).max(1);
-    }
-}
-
-/// An even sample of the points that nothing explains yet and that were not tried.
-fn seeds(search: &mut Search<'_>, blocked: &[bool]) -> Vec<u32> {
-    let mut free: Vec<u32> = (0..search.cloud.len() as u32)
-        .filter(|&index| !search.is_explained(index) && !blocked[index as usize])
-        .collect();
-    let stride = free.len().div_ceil(SEEDS).max(1);
-    search.random.shuffle(&mut free);
-    free.into_iter().step_by(stride).collect()
-}
-
-/// Counts the votes, grows a candidate from every summit and accepts the winners. Returns how many.
-fn round(search: &mut Search<'_>, spaces: &Spaces, votes: &[Vote], least: usize) -> usize {
-    let share = search.parameters.persistence;
-    let mut summits: Vec<Summit> = Vec::new();
-    for kind in SurfaceType::ALL {
-        summits.extend(spaces.climb(kind, votes, share, least, &mut |_| {}));
-    }
-    let mut candidates = Vec::new();
-    for summit in &summits {
-        let seeds: Vec<u32> = summit
-            .voters
-            .iter()
-            .map(|&v| votes[v as usize].point)
-            .collect();
-        candidates.extend(grow(search, &summit.surface, &seeds));
-    }
-    accept_winners(search, candidates)
-}
-
-/// Grows a surface from its voters. A cylinder is also tried as a cone.
-fn grow(search: &mut Search<'_>, surface: &Surface, seeds: &[u32]) -> Vec<Candidate> {
-    let mut grown: Vec<Candidate> = search.grow(surface, seeds).into_iter().collect();
-    if let Some(Candidate {
-        surface: Surface::Cylinder(cylinder),
-        support,
-        ..
-    }) = grown.first()
-    {
-        let stride = support.len().div_ceil(200);
-        let points: Vec<_> = support
-            .iter()
-            .step_by(stride)
-            .map(|&i| *search.point(i))
-            .collect();
-        let cone = least_squares::fit_cone_near(cylinder, &points, Loss::Squares);
-        if let Some(cone) = cone {
-            let support = support.clone();
-            grown.extend(search.grow(&cone.surface, &support));
-        }
-    }
-    grown
-}
-
-/// Accepts candidates, the one worth most first, as long as one is worth anything.
-fn accept_winners(search: &mut Search<'_>, mut candidates: Vec<Candidate>) -> usize {
-    let mut accepted = 0;
-    loop {
-        let smallest = search.parameters.smallest as usize;
-        candidates.retain(|candidate| search.own(candidate) >= smallest);
-        let Some(winner) = search.best(candidates.clone()) else {
-            return accepted;
-        };
-        candidates.retain(|candidate| candidate != &winner);
-        if !search.has_fuzzy_border(&winner) {
-            search.accept(winner);
-            accepted += 1;
-        }
     }
 }

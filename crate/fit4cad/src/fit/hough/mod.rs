@@ -2,12 +2,14 @@
 //! transform").
 
 pub mod accumulator;
+mod coaxial;
 pub mod directions;
 pub mod family;
 mod find;
 pub mod gamma;
 pub mod grid;
 pub mod persistence;
+mod rounds;
 mod solutions;
 pub mod space;
 pub mod vote;

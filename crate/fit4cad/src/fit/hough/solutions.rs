@@ -4,8 +4,9 @@ use super::vote::Vote;
 use crate::cloud::Point;
 use crate::cloud::normals::Spread;
 use crate::fit::Search;
-use crate::fit::least_squares::degrees_of_freedom;
+use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
 use crate::fit::local;
+use crate::fit::quadric::Quadric;
 use crate::surface::{Plane, Surface, SurfaceType};
 
 /// Points beyond its degrees of freedom that must agree with a local solution: with fewer, points
@@ -17,43 +18,85 @@ const FLAT: usize = 10;
 
 /// The vote of a point whose nearest neighbours all lie in one plane. O(1).
 pub fn flat_vote(search: &Search<'_>, index: u32) -> Option<Vote> {
-    let patch = nearest(search, index, FLAT);
+    let mut patch = Vec::with_capacity(FLAT + 1);
+    patch.push(*search.point(index));
+    let neighbours = search.graph.of(index).iter().take(FLAT);
+    patch.extend(neighbours.map(|&neighbour| *search.point(neighbour)));
+    let plane = flat(&patch, search.scale.tolerance)?;
+    Some(vote(search, index, plane))
+}
+
+/// The plane through all points of a patch, unless they lie on a line, which is in many.
+fn flat(patch: &[Point], tolerance: f64) -> Option<Surface> {
     let spread = Spread::of(patch.iter())?;
     let plane = Plane::new(spread.centroid, spread.normal().into_inner());
     let surface = Surface::Plane(plane);
-    let flat = patch
-        .iter()
-        .all(|p| surface.distance(p) <= search.scale.tolerance);
-    // Points on a line are in every plane through it.
     let broad = spread.variances[1] > 0.01 * spread.variances[2];
-    (flat && broad).then(|| Vote {
+    (broad && agrees(&surface, patch, tolerance)).then_some(surface)
+}
+
+fn agrees(surface: &Surface, patch: &[Point], tolerance: f64) -> bool {
+    patch
+        .iter()
+        .all(|point| surface.distance(point) <= tolerance)
+}
+
+/// A vote for a surface by the neighbourhood of a point.
+pub fn vote(search: &Search<'_>, index: u32, surface: Surface) -> Vote {
+    Vote {
         surface,
         point: index,
         foot: *search.point(index),
-    })
+    }
 }
 
-fn nearest(search: &Search<'_>, index: u32, count: usize) -> Vec<Point> {
-    let mut patch = Vec::with_capacity(count + 1);
-    patch.push(*search.point(index));
-    let neighbours = search.graph.of(index).iter().take(count);
-    patch.extend(neighbours.map(|&neighbour| *search.point(neighbour)));
-    patch
+/// The vote of a neighbourhood all of whose points lie on one quadric: the simplest of plane,
+/// sphere, cylinder and cone that passes through all of them. One eigenvalue problem rules most
+/// other neighbourhoods out.
+pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote> {
+    let points = search.points(patch);
+    let tolerance = search.scale.tolerance;
+    if let Some(plane) = flat(&points, tolerance) {
+        return Some(vote(search, index, plane));
+    }
+    let quadric = Quadric::of(&points)?;
+    if quadric.error > 2.0 * tolerance {
+        return None;
+    }
+    let bent = || match local::starts(SurfaceType::Cylinder, &points).pop() {
+        Some(Surface::Cylinder(cylinder)) => Some(cylinder),
+        _ => None,
+    };
+    let polished = |start: Surface| -> Option<Surface> {
+        let fitted = least_squares::fit(&start, &points, Loss::Squares)?.surface;
+        let good = search.is_plausible(&fitted) && agrees(&fitted, &points, tolerance);
+        good.then_some(fitted)
+    };
+    let sphere = || local::starts(SurfaceType::Sphere, &points).pop();
+    let surface = sphere()
+        .and_then(polished)
+        .or_else(|| quadric.cylinder().map(Surface::Cylinder).and_then(polished))
+        .or_else(|| bent().map(Surface::Cylinder).and_then(polished))
+        .or_else(|| quadric.cone().map(Surface::Cone).and_then(polished))
+        .or_else(|| {
+            let cone = least_squares::fit_cone_near(&bent()?, &points, Loss::Squares)?;
+            polished(cone.surface)
+        })?;
+    Some(vote(search, index, surface))
 }
 
-/// The votes of a neighbourhood: of each family the surface that most of its points agree with;
-/// families that see fewer points than another drop out, and as soon as one sees them all no more
-/// complicated one is asked.
-pub fn votes(search: &Search<'_>, index: u32, patch: &[u32], found: &mut Vec<Vote>) {
+/// The votes of a neighbourhood that may reach over edges: of each family the surface that most of
+/// its points agree with, as long as no other family sees clearly more.
+pub fn mixed_votes(
+    search: &Search<'_>,
+    index: u32,
+    patch: &[u32],
+    kinds: &[SurfaceType],
+    found: &mut Vec<Vote>,
+) {
     let points = search.points(patch);
     let mut best: Vec<(usize, Surface)> = Vec::new();
-    for kind in [
-        SurfaceType::Plane,
-        SurfaceType::Sphere,
-        SurfaceType::Cylinder,
-        SurfaceType::Cone,
-        SurfaceType::Torus,
-    ] {
+    for &kind in kinds {
         let needed = (degrees_of_freedom(kind) + SPARE).max(points.len() / 2);
         let most = local::starts(kind, &points)
             .iter()
@@ -61,22 +104,9 @@ pub fn votes(search: &Search<'_>, index: u32, patch: &[u32], found: &mut Vec<Vot
             .filter(|(surface, _)| search.is_plausible(surface))
             .map(|(surface, agreeing)| (agreeing.len(), surface))
             .max_by_key(|(count, _)| *count);
-        let Some((count, surface)) = most else {
-            continue;
-        };
-        best.push((count, surface));
-        if count == points.len() {
-            break;
-        }
+        best.extend(most);
     }
     let most = best.iter().map(|(count, _)| *count).max().unwrap_or(0);
-    found.extend(
-        best.into_iter()
-            .filter(|(count, _)| count + 1 >= most)
-            .map(|(_, surface)| Vote {
-                surface,
-                point: index,
-                foot: *search.point(index),
-            }),
-    );
+    let voted = best.into_iter().filter(|(count, _)| count + 1 >= most);
+    found.extend(voted.map(|(_, surface)| vote(search, index, surface)));
 }

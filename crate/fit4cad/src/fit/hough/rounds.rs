@@ -1,0 +1,125 @@
+//! One round of the transform: count the votes, pick the summits, polish, and let the candidates
+//! compete.
+
+use super::vote::{Spaces, Summit, View, Vote};
+use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
+use crate::fit::{Candidate, Parameters, Search};
+use crate::surface::{Surface, SurfaceType};
+
+/// Points of a candidate from which a rival of another family is fitted.
+const RIVAL_SAMPLE: usize = 200;
+/// Share of the smaller support above which two candidates compete for the same place.
+const CONTEST: f64 = 0.5;
+
+/// Counts the votes of all families and accepts the winners. Returns how many there were.
+pub fn round(
+    search: &mut Search<'_>,
+    spaces: &Spaces,
+    votes: &[Vote],
+    view: &mut dyn FnMut(View<'_>),
+) -> usize {
+    let share = search.parameters.persistence;
+    let mut summits: Vec<Summit> = Vec::new();
+    for kind in SurfaceType::ALL {
+        summits.extend(spaces.climb(kind, votes, share, 1, view));
+    }
+    summits.sort_by_key(|summit| std::cmp::Reverse(summit.voters.len()));
+    let mut candidates: Vec<Candidate> = Vec::new();
+    for summit in &summits {
+        let seeds: Vec<u32> = summit
+            .voters
+            .iter()
+            .map(|&voter| votes[voter as usize].point)
+            .filter(|&point| !is_grown(&candidates, &summit.surface, point))
+            .collect();
+        if !seeds.is_empty() {
+            grow(search, &summit.surface, &seeds, &mut candidates);
+        }
+    }
+    accept_winners(search, candidates)
+}
+
+/// Whether a candidate of the same family has already grown over a point.
+fn is_grown(candidates: &[Candidate], surface: &Surface, point: u32) -> bool {
+    candidates.iter().any(|candidate| {
+        candidate.surface.kind() == surface.kind()
+            && candidate.support.binary_search(&point).is_ok()
+    })
+}
+
+/// Grows a surface from its voters. A cylinder is also tried as a cone: a small patch of a cone
+/// fits a cylinder well, but not over the whole face.
+fn grow(
+    search: &mut Search<'_>,
+    surface: &Surface,
+    seeds: &[u32],
+    candidates: &mut Vec<Candidate>,
+) {
+    let Some(candidate) = search.grow(surface, seeds) else {
+        return;
+    };
+    if let Surface::Cylinder(cylinder) = &candidate.surface {
+        let stride = candidate.support.len().div_ceil(RIVAL_SAMPLE).max(1);
+        let sample: Vec<u32> = candidate.support.iter().copied().step_by(stride).collect();
+        let points = search.points(&sample);
+        if let Some(cone) = least_squares::fit_cone_near(cylinder, &points, Loss::Squares)
+            && let Some(rival) = search.grow(&cone.surface, &sample)
+        {
+            candidates.push(rival);
+        }
+    }
+    candidates.push(candidate);
+}
+
+/// Accepts candidates, the one worth most first, until none is worth keeping.
+///
+/// The worth of the others falls as points are explained, never rises, so a candidate that is still
+/// worth most after its worth is taken anew is the best.
+pub fn accept_winners(search: &mut Search<'_>, candidates: Vec<Candidate>) -> usize {
+    let mut open: Vec<(f64, Candidate)> = Vec::new();
+    for candidate in candidates {
+        open.push((search.worth(&candidate), candidate));
+    }
+    let mut accepted = 0;
+    loop {
+        open.retain(|(_, candidate)| has_enough(search, candidate));
+        for (worth, candidate) in &mut open {
+            *worth = search.worth(candidate);
+        }
+        open.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let Some((_, top)) = open.first() else {
+            return accepted;
+        };
+        let contest: Vec<Candidate> = open
+            .iter()
+            .filter(|(_, other)| shared(&top.support, &other.support))
+            .map(|(_, other)| other.clone())
+            .collect();
+        let Some(winner) = search.best(contest) else {
+            return accepted;
+        };
+        open.retain(|(_, candidate)| candidate != &winner);
+        if !search.has_fuzzy_border(&winner) {
+            search.accept(winner);
+            accepted += 1;
+        }
+    }
+}
+
+/// Whether a candidate has points enough beyond those that any surface of its family would hold,
+/// and points of its own.
+fn has_enough(search: &Search<'_>, candidate: &Candidate) -> bool {
+    let smallest = Parameters::count(search.parameters.smallest);
+    let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
+    candidate.support.len() >= smallest.max(redundant) && search.own(candidate) >= smallest.max(3)
+}
+
+/// Whether two ascending supports share more than half of the smaller one.
+fn shared(a: &[u32], b: &[u32]) -> bool {
+    let (small, large) = if a.len() <= b.len() { (a, b) } else { (b, a) };
+    let common = small
+        .iter()
+        .filter(|index| large.binary_search(index).is_ok())
+        .count();
+    common as f64 > CONTEST * small.len() as f64
+}
