@@ -45,11 +45,21 @@ pub fn known_axes(search: &Search<'_>) -> Vec<KnownAxis> {
     let mut axes: Vec<KnownAxis> = Vec::new();
     for owner in owners {
         let axis = match owner.surface {
-            Surface::Cylinder(Cylinder { centre: point, axis: direction, .. })
-            | Surface::Cone(Cone { apex: point, axis: direction, .. })
-            | Surface::Torus(Torus { centre: point, axis: direction, .. }) => {
-                KnownAxis { point, direction }
-            }
+            Surface::Cylinder(Cylinder {
+                centre: point,
+                axis: direction,
+                ..
+            })
+            | Surface::Cone(Cone {
+                apex: point,
+                axis: direction,
+                ..
+            })
+            | Surface::Torus(Torus {
+                centre: point,
+                axis: direction,
+                ..
+            }) => KnownAxis { point, direction },
             Surface::Plane(_) | Surface::Sphere(_) => continue,
         };
         let known = axes.iter().any(|other| {
@@ -102,7 +112,12 @@ impl KnownAxis {
             return Surface::Sphere(Sphere::new(self.at(centre.height), radius));
         }
         let axis = self.direction.into_inner();
-        Surface::Torus(Torus::new(self.at(centre.height), axis, centre.radius, radius))
+        Surface::Torus(Torus::new(
+            self.at(centre.height),
+            axis,
+            centre.radius,
+            radius,
+        ))
     }
 }
 
@@ -123,7 +138,11 @@ pub fn coaxial_votes(
             continue;
         };
         let plausible = search.is_plausible(&surface);
-        if plausible && points.iter().all(|p| surface.distance(p) <= 2.0 * tolerance) {
+        if plausible
+            && points
+                .iter()
+                .all(|p| surface.distance(p) <= 2.0 * tolerance)
+        {
             found.push(vote(search, index, surface));
         }
     }
@@ -134,7 +153,9 @@ fn distinct(places: &[Profile], tolerance: f64) -> Vec<Profile> {
     let mut distinct: Vec<Profile> = Vec::new();
     for place in places {
         let known = distinct.iter().any(|other| {
-            (other.radius - place.radius).abs().max((other.height - place.height).abs())
+            (other.radius - place.radius)
+                .abs()
+                .max((other.height - place.height).abs())
                 <= 4.0 * tolerance
         });
         if !known {
@@ -183,11 +204,18 @@ fn circle(places: &[Profile]) -> Option<(Profile, f64)> {
         radius: places.iter().map(|place| place.radius).sum::<f64>() / count,
         height: places.iter().map(|place| place.height).sum::<f64>() / count,
     };
-    let scale = places.iter().map(|place| squared(place, &mean)).fold(0.0, f64::max).sqrt();
+    let scale = places
+        .iter()
+        .map(|place| squared(place, &mean))
+        .fold(0.0, f64::max)
+        .sqrt();
     let mut matrix = Matrix3::zeros();
     let mut right = Vector3::zeros();
     for place in places {
-        let (x, y) = ((place.radius - mean.radius) / scale, (place.height - mean.height) / scale);
+        let (x, y) = (
+            (place.radius - mean.radius) / scale,
+            (place.height - mean.height) / scale,
+        );
         let row = Vector3::new(2.0 * x, 2.0 * y, 1.0);
         matrix += row * row.transpose();
         right += row * (x * x + y * y);
@@ -266,7 +294,12 @@ mod tests {
 
     #[test]
     fn three_rings_of_points_are_no_evidence_of_a_circle() {
-        let torus = Surface::Torus(Torus::new(axis().point, axis().direction.into_inner(), 1.0, 0.25));
+        let torus = Surface::Torus(Torus::new(
+            axis().point,
+            axis().direction.into_inner(),
+            1.0,
+            0.25,
+        ));
         let three = profiles(&torus, 3);
         let repeated = [three.clone(), three].concat();
         assert_eq!(turned(&axis(), &repeated, 1e-9), None);

@@ -1,6 +1,7 @@
 //! The search of HT: vote, pick persistent peaks, polish, let them compete, remove what the winners
 //! explain, and vote again until nothing is left to find.
 
+use super::coaxial::{coaxial_votes, known_axes};
 use super::family::Region;
 use super::rounds::round;
 use super::solutions;
@@ -35,6 +36,26 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
             }
         })?;
     }
+    let axes = known_axes(search);
+    for size in [16, 8] {
+        search_with(search, &spaces, observer, &mut |search, seed, votes, _| {
+            let patch = search.unexplained_near(seed, size);
+            if patch.len() >= 6 {
+                coaxial_votes(search, &axes, seed, &patch, votes);
+            }
+        })?;
+    }
+    search_with(
+        search,
+        &spaces,
+        observer,
+        &mut |search, seed, votes, blocked| {
+            let patch = search.unexplained_near(seed, 28);
+            if patch.len() >= 12 {
+                mixed(search, seed, &patch, &[SurfaceType::Torus], votes, blocked);
+            }
+        },
+    )?;
     // What is left is small, thin or free-form.
     for size in [10, 16, 28] {
         search_with(
@@ -50,19 +71,35 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
                 ];
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= 6 {
-                    let before = votes.len();
-                    solutions::mixed_votes(search, seed, &patch, &KINDS, votes);
-                    if votes.len() == before {
-                        for &index in patch.iter().take(8) {
-                            blocked[index as usize] = true;
-                        }
-                    }
+                    mixed(search, seed, &patch, &KINDS, votes, blocked);
                 }
             },
         )?;
     }
     Ok(())
 }
+
+/// Votes of a neighbourhood that may be mixed. Where there are none its points are blocked: in a
+/// free-form region nearly all the time would go into seeds that lead nowhere.
+fn mixed(
+    search: &Search<'_>,
+    seed: u32,
+    patch: &[u32],
+    kinds: &[SurfaceType],
+    votes: &mut Vec<Vote>,
+    blocked: &mut [bool],
+) {
+    let before = votes.len();
+    solutions::mixed_votes(search, seed, patch, kinds, votes);
+    if votes.len() == before {
+        for &index in patch.iter().take(BLOCK) {
+            blocked[index as usize] = true;
+        }
+    }
+}
+
+/// Points blocked around a seed that leads nowhere.
+const BLOCK: usize = 8;
 
 /// What a seed votes for; may also block points from being seeds.
 type Voter<'v> = dyn FnMut(&Search<'_>, u32, &mut Vec<Vote>, &mut [bool]) + 'v;
