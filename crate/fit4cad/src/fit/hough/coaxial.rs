@@ -6,13 +6,13 @@
 //! (sphere, torus). Few points determine these, so the axis turns neighbourhoods too small for a
 //! torus of their own into votes.
 
-use nalgebra::{Matrix3, Vector3};
-
+use super::borders::Borders;
+use super::curve::circle;
 use super::solutions::vote;
 use super::vote::Vote;
 use crate::cloud::{Direction, Point};
 use crate::fit::{Candidate, Search};
-use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, Torus, across};
+use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, Torus};
 
 /// A known axis of revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,6 +89,20 @@ impl KnownAxis {
 
     fn at(&self, height: f64) -> Point {
         self.point + self.direction.into_inner() * height
+    }
+
+    /// The direction in the half-plane along which a surface of revolution about the axis runs at
+    /// one of its points; `None` where it is not one.
+    fn tangent(&self, surface: &Surface, point: &Point) -> Option<Profile> {
+        let normal = surface.normal(point);
+        let offset = point - self.point;
+        let height = offset.dot(&self.direction);
+        let outward = Direction::try_new(offset - self.direction.into_inner() * height, 0.0)?;
+        let sideways = normal.dot(&self.direction.cross(&outward));
+        (sideways.abs() < SAME_DIRECTION).then(|| Profile {
+            radius: -normal.dot(&self.direction),
+            height: normal.dot(&outward),
+        })
     }
 
     /// The surface of revolution of the line through two places.
@@ -184,7 +198,12 @@ fn turned(axis: &KnownAxis, places: &[Profile], tolerance: f64) -> Option<Surfac
             return Some(line);
         }
     }
-    let (centre, radius) = circle(places)?;
+    let flat: Vec<[f64; 2]> = places
+        .iter()
+        .map(|place| [place.radius, place.height])
+        .collect();
+    let ([at, height], radius) = circle(&flat)?;
+    let centre = Profile { radius: at, height };
     let on_circle = |place: &Profile| {
         let (x, y) = (place.radius - centre.radius, place.height - centre.height);
         ((x * x + y * y).sqrt() - radius).abs() <= tolerance
@@ -197,54 +216,95 @@ fn squared(a: &Profile, b: &Profile) -> f64 {
     (a.radius - b.radius).powi(2) + (a.height - b.height).powi(2)
 }
 
-/// The circle of least algebraic error (Kåsa, 1976): ρ² + z² = 2aρ + 2bz + c.
-fn circle(places: &[Profile]) -> Option<(Profile, f64)> {
-    let count = places.len() as f64;
-    let mean = Profile {
-        radius: places.iter().map(|place| place.radius).sum::<f64>() / count,
-        height: places.iter().map(|place| place.height).sum::<f64>() / count,
-    };
-    let scale = places
+/// The votes of a neighbourhood of free points along the known axes, where the rings of points are
+/// so few that lines and circles through them prove nothing by themselves. A circle must be tangent
+/// to the surfaces it blends at both ends; a line must join rings of two surfaces.
+pub fn ring_votes(
+    search: &Search<'_>,
+    borders: &Borders,
+    axes: &[KnownAxis],
+    index: u32,
+    patch: &[u32],
+    found: &mut Vec<Vote>,
+) {
+    let tolerance = search.scale.tolerance;
+    let points = search.points(patch);
+    for axis in axes {
+        let places: Vec<Profile> = points.iter().map(|point| axis.profile(point)).collect();
+        let rings = distinct(&places, tolerance);
+        if !(2..=4).contains(&rings.len()) || 2 * rings.len() > places.len() {
+            continue;
+        }
+        // The two rings farthest apart are the borders.
+        let Some((a, b)) = farthest(&rings) else {
+            continue;
+        };
+        let slope = |ring: &Profile| -> Option<Profile> {
+            let at = places
+                .iter()
+                .position(|place| squared(place, ring) <= 64.0 * tolerance.powi(2))?;
+            let owner = &search.accepted()[borders.owner(patch[at])? as usize];
+            axis.tangent(&owner.surface, &points[at])
+        };
+        let surface = match blend(a, b, slope(&a), slope(&b)) {
+            // Two rings may be a fillet or a chamfer with equal legs: the simpler one.
+            Some((centre, radius)) if rings.len() > 2 => {
+                axis.turned_circle(centre, radius, tolerance)
+            }
+            _ => axis.turned_line(a, b, tolerance),
+        };
+        let plausible = search.is_plausible(&surface);
+        if plausible
+            && points
+                .iter()
+                .all(|p| surface.distance(p) <= 2.0 * tolerance)
+        {
+            found.push(vote(search, index, surface));
+        }
+    }
+}
+
+fn farthest(rings: &[Profile]) -> Option<(Profile, Profile)> {
+    let pairs = rings
         .iter()
-        .map(|place| squared(place, &mean))
-        .fold(0.0, f64::max)
-        .sqrt();
-    let mut matrix = Matrix3::zeros();
-    let mut right = Vector3::zeros();
-    for place in places {
-        let (x, y) = (
-            (place.radius - mean.radius) / scale,
-            (place.height - mean.height) / scale,
-        );
-        let row = Vector3::new(2.0 * x, 2.0 * y, 1.0);
-        matrix += row * row.transpose();
-        right += row * (x * x + y * y);
-    }
-    let solution = matrix.cholesky()?.solve(&right);
-    let radius = (solution[2] + solution[0].powi(2) + solution[1].powi(2)).sqrt() * scale;
-    let centre = Profile {
-        radius: mean.radius + solution[0] * scale,
-        height: mean.height + solution[1] * scale,
+        .enumerate()
+        .flat_map(|(i, a)| rings[..i].iter().map(move |b| (*a, *b)));
+    pairs.max_by(|(p, q), (r, s)| squared(p, q).total_cmp(&squared(r, s)))
+}
+
+/// The circle through two places that is tangent to both directions there; `None` where there is
+/// none, or only a line.
+fn blend(
+    a: Profile,
+    b: Profile,
+    at_a: Option<Profile>,
+    at_b: Option<Profile>,
+) -> Option<(Profile, f64)> {
+    /// Largest departure from tangency, in radians.
+    const TANGENT: f64 = 2e-3;
+    let (at_a, at_b) = (at_a?, at_b?);
+    let chord = Profile {
+        radius: b.radius - a.radius,
+        height: b.height - a.height,
     };
-    (radius.is_finite() && centre.radius.is_finite()).then_some((centre, radius))
-}
-
-/// Places of a surface's circles about an axis, if it is one of revolution about it.
-pub fn is_coaxial(surface: &Surface, axis: &KnownAxis, tolerance: f64) -> bool {
-    let parallel = |d: &Direction| axis.direction.cross(d).norm() < SAME_DIRECTION;
-    let on_axis = |p: &Point| axis.profile(p).radius <= 20.0 * tolerance;
-    match surface {
-        Surface::Plane(plane) => parallel(&plane.normal),
-        Surface::Cylinder(s) => parallel(&s.axis) && on_axis(&s.centre),
-        Surface::Cone(s) => parallel(&s.axis) && on_axis(&s.apex),
-        Surface::Sphere(s) => on_axis(&s.centre),
-        Surface::Torus(s) => parallel(&s.axis) && on_axis(&s.centre),
+    let length = (chord.radius.powi(2) + chord.height.powi(2)).sqrt();
+    let sine = |t: &Profile| (chord.radius * t.height - chord.height * t.radius) / length;
+    let cosine = |t: &Profile| (chord.radius * t.radius + chord.height * t.height) / length;
+    // The tangent-chord angle, lines having no direction.
+    let angle = |t: &Profile| (sine(t) / cosine(t)).atan();
+    let (first, second) = (angle(&at_a), angle(&at_b));
+    if (first + second).abs() > TANGENT || first.abs() < 10.0 * TANGENT {
+        return None;
     }
-}
-
-/// Unit directions across an axis, from which a half-plane is turned.
-pub fn half_plane(axis: &KnownAxis) -> Direction {
-    across(&axis.direction)
+    // The centre is on the normal at a; the chord subtends twice the tangent-chord angle.
+    let radius = 0.5 * length / first.sin().abs();
+    let (middle_r, middle_h) = (0.5 * (a.radius + b.radius), 0.5 * (a.height + b.height));
+    let rise = 0.5 * length / first.tan();
+    let centre = Profile {
+        radius: middle_r + chord.height / length * rise,
+        height: middle_h - chord.radius / length * rise,
+    };
+    Some((centre, radius))
 }
 
 #[cfg(test)]
@@ -262,7 +322,7 @@ mod tests {
     /// The profiles of points of a surface, `count` of them around the axis.
     fn profiles(surface: &Surface, count: u32) -> Vec<Profile> {
         let axis = axis();
-        let out = half_plane(&axis).into_inner();
+        let out = crate::surface::across(&axis.direction).into_inner();
         (0..count)
             .map(|i| {
                 let t = f64::from(i) * 0.05;
@@ -303,5 +363,18 @@ mod tests {
         let three = profiles(&torus, 3);
         let repeated = [three.clone(), three].concat();
         assert_eq!(turned(&axis(), &repeated, 1e-9), None);
+    }
+
+    #[test]
+    fn a_fillet_of_two_rings_is_the_circle_tangent_to_both_faces() {
+        let corner = |radius: f64, height: f64| Profile { radius, height };
+        // From the plane z = 0 up a cylinder of radius 2: centre (1.5, 0.5), radius 0.5.
+        let (floor, wall) = (corner(1.5, 0.0), corner(2.0, 0.5));
+        let (along, up) = (corner(1.0, 0.0), corner(0.0, 1.0));
+        let (centre, radius) = blend(floor, wall, Some(along), Some(up)).unwrap();
+        assert!((radius - 0.5).abs() < 1e-12);
+        assert!(squared(&centre, &corner(1.5, 0.5)) < 1e-20);
+        // A chamfer of other proportions is tangent to nothing.
+        assert_eq!(blend(floor, corner(2.0, 0.8), Some(along), Some(up)), None);
     }
 }

@@ -1,9 +1,10 @@
 //! The search of HT: vote, pick persistent peaks, polish, let them compete, remove what the winners
 //! explain, and vote again until nothing is left to find.
 
-use super::coaxial::{coaxial_votes, known_axes};
+use super::borders::Borders;
+use super::coaxial::{coaxial_votes, known_axes, ring_votes};
 use super::family::Region;
-use super::rounds::round;
+use super::rounds::{Evidence, round};
 use super::solutions;
 use super::vote::{Spaces, Vote};
 use crate::fit::{Cancelled, Observer, Search, Stage};
@@ -76,7 +77,52 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
             },
         )?;
     }
+    for _ in 0..BORDER_PASSES {
+        if borders(search, &spaces) == 0 {
+            break;
+        }
+    }
     Ok(())
+}
+
+/// Passes over the open borders: what one settles may be the border of a next.
+const BORDER_PASSES: usize = 3;
+
+/// Rounds of votes by points on open borders and those still unexplained. Returns how many surfaces
+/// were accepted.
+fn borders(search: &mut Search<'_>, spaces: &Spaces) -> usize {
+    let mut borders = Borders::of(search);
+    let axes = known_axes(search);
+    let radius = 4.0 * search.scale.spacing;
+    let mut accepted = 0;
+    for size in [10, 16] {
+        let seeds = (0..search.cloud.len() as u32).filter(|&index| borders.is_free(index));
+        let mut votes = Vec::new();
+        let mut near = Vec::new();
+        for seed in seeds {
+            let point = search.point(seed);
+            search
+                .tree
+                .nearest(point, size, radius, |i| borders.is_free(i), &mut near);
+            let patch: Vec<u32> = near.iter().map(|neighbour| neighbour.index).collect();
+            if patch.len() < 6 {
+                continue;
+            }
+            let before = votes.len();
+            ring_votes(search, &borders, &axes, seed, &patch, &mut votes);
+            if votes.len() == before {
+                votes.extend(solutions::pure_vote(search, seed, &patch));
+            }
+        }
+        accepted += round(
+            search,
+            spaces,
+            &votes,
+            &mut Evidence::Borders(&mut borders),
+            &mut |_| {},
+        );
+    }
+    accepted
 }
 
 /// Votes of a neighbourhood that may be mixed. Where there are none its points are blocked: in a
@@ -128,14 +174,14 @@ fn search_with(
         fresh += usize::from(votes.len() > before);
         if fresh == BATCH {
             // Votes that no winner explained stay and are counted again with the next.
-            round(search, spaces, &votes, &mut |_| {});
+            round(search, spaces, &votes, &mut Evidence::Own, &mut |_| {});
             votes.retain(|vote| !search.is_explained(vote.point));
             fresh = 0;
             let share = turn as f64 / order.len() as f64;
             observer.progress(Stage::Find, 0.3 + 0.6 * share)?;
         }
     }
-    while round(search, spaces, &votes, &mut |_| {}) > 0 {
+    while round(search, spaces, &votes, &mut Evidence::Own, &mut |_| {}) > 0 {
         votes.retain(|vote| !search.is_explained(vote.point));
     }
     Ok(())
@@ -160,7 +206,7 @@ fn planes(search: &mut Search<'_>, spaces: &Spaces) {
             .filter(|&index| !search.is_explained(index))
             .filter_map(|index| solutions::flat_vote(search, index))
             .collect();
-        let accepted = round(search, spaces, &votes, &mut |_| {});
+        let accepted = round(search, spaces, &votes, &mut Evidence::Own, &mut |_| {});
         if accepted == 0 && stride == 1 {
             return;
         }

@@ -2,7 +2,9 @@
 //! transform").
 
 pub mod accumulator;
+mod borders;
 mod coaxial;
+mod curve;
 pub mod directions;
 pub mod family;
 mod find;

@@ -1,21 +1,77 @@
 //! One round of the transform: count the votes, pick the summits, polish, and let the candidates
 //! compete.
 
+use super::borders::Borders;
+use super::curve::is_curve;
 use super::vote::{Spaces, Summit, View, Vote};
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
 use crate::fit::{Candidate, Parameters, Search};
 use crate::surface::{Surface, SurfaceType};
 
-/// Points of a candidate from which a rival of another family is fitted.
-const RIVAL_SAMPLE: usize = 200;
+/// Points of a candidate from which a rival is fitted, and whose neighbours are looked at.
+const SAMPLE: usize = 200;
 /// Share of the smaller support above which two candidates compete for the same place.
 const CONTEST: f64 = 0.5;
+
+/// What shows that a candidate is there.
+pub enum Evidence<'b> {
+    /// Points that no accepted surface holds.
+    Own,
+    /// Points on open borders too, which one accepted surface holds.
+    Borders(&'b mut Borders),
+}
+
+impl Evidence<'_> {
+    /// Whether a candidate has points enough beyond those that any surface of its family would
+    /// hold, and evidence of its own.
+    fn suffices(&self, search: &Search<'_>, candidate: &Candidate) -> bool {
+        let smallest = Parameters::count(search.parameters.smallest);
+        let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
+        let (evident, shape): (usize, Vec<u32>) = match self {
+            Self::Own => {
+                let support = candidate.support.iter().copied();
+                let own: Vec<u32> = support
+                    .filter(|&index| !search.is_explained(index))
+                    .collect();
+                (own.len(), own)
+            }
+            Self::Borders(borders) => {
+                let free = borders.evidence(&candidate.support).unwrap_or(0);
+                (free, candidate.support.clone())
+            }
+        };
+        candidate.support.len() >= smallest.max(redundant)
+            && evident >= smallest.max(3)
+            && !is_curve(&search.points(&shape), 2.0 * search.scale.tolerance)
+            && is_broad(search, &candidate.support)
+    }
+}
+
+/// Nearest neighbours looked at, and how many of them must on average belong to a patch. Along a row
+/// of points it is two or three, in a strip of two rows five.
+const NEAREST: usize = 8;
+const BREADTH: f64 = 3.5;
+
+/// Whether a patch is broader than a row of points, which lies on too many surfaces.
+fn is_broad(search: &Search<'_>, support: &[u32]) -> bool {
+    let stride = support.len().div_ceil(SAMPLE).max(1);
+    let (mut inside, mut count) = (0_usize, 0_usize);
+    for &index in support.iter().step_by(stride) {
+        let nearest = search.graph.of(index).iter().take(NEAREST);
+        inside += nearest
+            .filter(|neighbour| support.binary_search(neighbour).is_ok())
+            .count();
+        count += 1;
+    }
+    inside as f64 >= BREADTH * count as f64
+}
 
 /// Counts the votes of all families and accepts the winners. Returns how many there were.
 pub fn round(
     search: &mut Search<'_>,
     spaces: &Spaces,
     votes: &[Vote],
+    evidence: &mut Evidence<'_>,
     view: &mut dyn FnMut(View<'_>),
 ) -> usize {
     let share = search.parameters.persistence;
@@ -36,7 +92,7 @@ pub fn round(
             grow(search, &summit.surface, &seeds, &mut candidates);
         }
     }
-    accept_winners(search, candidates)
+    accept_winners(search, candidates, evidence)
 }
 
 /// Whether a candidate of the same family has already grown over a point.
@@ -59,7 +115,7 @@ fn grow(
         return;
     };
     if let Surface::Cylinder(cylinder) = &candidate.surface {
-        let stride = candidate.support.len().div_ceil(RIVAL_SAMPLE).max(1);
+        let stride = candidate.support.len().div_ceil(SAMPLE).max(1);
         let sample: Vec<u32> = candidate.support.iter().copied().step_by(stride).collect();
         let points = search.points(&sample);
         if let Some(cone) = least_squares::fit_cone_near(cylinder, &points, Loss::Squares)
@@ -75,14 +131,18 @@ fn grow(
 ///
 /// The worth of the others falls as points are explained, never rises, so a candidate that is still
 /// worth most after its worth is taken anew is the best.
-pub fn accept_winners(search: &mut Search<'_>, candidates: Vec<Candidate>) -> usize {
+fn accept_winners(
+    search: &mut Search<'_>,
+    candidates: Vec<Candidate>,
+    evidence: &mut Evidence<'_>,
+) -> usize {
     let mut open: Vec<(f64, Candidate)> = Vec::new();
     for candidate in candidates {
         open.push((search.worth(&candidate), candidate));
     }
     let mut accepted = 0;
     loop {
-        open.retain(|(_, candidate)| has_enough(search, candidate));
+        open.retain(|(_, candidate)| evidence.suffices(search, candidate));
         for (worth, candidate) in &mut open {
             *worth = search.worth(candidate);
         }
@@ -100,18 +160,13 @@ pub fn accept_winners(search: &mut Search<'_>, candidates: Vec<Candidate>) -> us
         };
         open.retain(|(_, candidate)| candidate != &winner);
         if !search.has_fuzzy_border(&winner) {
+            if let Evidence::Borders(borders) = evidence {
+                borders.settle(&winner.support);
+            }
             search.accept(winner);
             accepted += 1;
         }
     }
-}
-
-/// Whether a candidate has points enough beyond those that any surface of its family would hold,
-/// and points of its own.
-fn has_enough(search: &Search<'_>, candidate: &Candidate) -> bool {
-    let smallest = Parameters::count(search.parameters.smallest);
-    let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
-    candidate.support.len() >= smallest.max(redundant) && search.own(candidate) >= smallest.max(3)
 }
 
 /// Whether two ascending supports share more than half of the smaller one.

@@ -105,8 +105,8 @@ fn connected(
 const SIDEWAYS: f64 = 0.25;
 
 /// The direction from a two-label point into its face: in the surface, across the edge, which runs
-/// along the cross product of the two normals; where the surfaces touch tangentially, towards the
-/// mean of the interior neighbours. `None` where every direction is as good.
+/// along the cross product of the two normals or, where the surfaces touch tangentially, along the
+/// points of the edge; interior neighbours tell which side. `None` where every direction is as good.
 fn inward(
     search: &Search<'_>,
     candidates: &[Candidate],
@@ -122,23 +122,44 @@ fn inward(
     let other = if own[0] == surface { own[1] } else { own[0] };
     let point = search.point(index);
     let normal = candidates[surface as usize].surface.normal(point);
-    let edge = normal.cross(&candidates[other as usize].surface.normal(point));
-    let across = normal.cross(&edge);
-    let mut towards = Vector::zeros();
-    let mut votes = 0i32;
+    let crossing = normal.cross(&candidates[other as usize].surface.normal(point));
+    let edge = if crossing.norm() > CROSSING {
+        crossing
+    } else {
+        run_of_edge(search, labels, index)?
+    };
+    let across = normal.cross(&edge).try_normalize(f64::MIN_POSITIVE)?;
+    let mut sides = 0.0;
     for &neighbour in search.graph.of(index) {
         if place[neighbour as usize] != u32::MAX && labels.of(neighbour).len() == 1 {
             let step = search.point(neighbour) - point;
-            towards += step.normalize();
-            votes += if step.dot(&across) > 0.0 { 1 } else { -1 };
+            sides += step.dot(&across).signum();
         }
     }
-    if edge.norm() > 0.05 && votes != 0 {
-        Some(across.normalize() * f64::from(votes.signum()))
-    } else {
-        // Too little of a direction says nothing.
-        towards.try_normalize(0.5)
-    }
+    (sides != 0.0).then(|| across * f64::signum(sides))
+}
+
+/// Sine of the angle between two surfaces below which they touch tangentially.
+const CROSSING: f64 = 0.05;
+
+/// The direction in which a tangential edge runs, where the surfaces themselves do not tell: along
+/// the nearest points with the same two labels.
+fn run_of_edge(search: &Search<'_>, labels: &Labels, index: u32) -> Option<Vector> {
+    let point = search.point(index);
+    let along = search
+        .graph
+        .of(index)
+        .iter()
+        .filter(|&&neighbour| labels.of(neighbour) == labels.of(index))
+        .take(4)
+        .map(|&neighbour| search.point(neighbour) - point);
+    along.reduce(|sum, step| {
+        if sum.dot(&step) < 0.0 {
+            sum - step
+        } else {
+            sum + step
+        }
+    })
 }
 
 /// Union-find with path halving; the smaller index is the root, so results do not depend on the
