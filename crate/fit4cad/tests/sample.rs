@@ -155,7 +155,7 @@ fn points_lie_apart_at_about_the_spacing() {
 
 #[test]
 fn a_cuboid_has_six_faces_twelve_edges_and_eight_corners() {
-    let part = Part::new().add(Solid::cuboid([0.0; 3], [3.0, 2.0, 1.0]));
+    let part = Part::new().join(Solid::cuboid([0.0; 3], [3.0, 2.0, 1.0]));
     let model = build("cuboid", &part, &COARSE).expect("a cuboid");
     assert_eq!(kinds(&model), BTreeMap::from([(SurfaceType::Plane, 6)]));
     let counts = multiplicity(&model);
@@ -178,8 +178,8 @@ fn a_cuboid_has_six_faces_twelve_edges_and_eight_corners() {
 fn two_crossing_bars_share_the_curves_in_which_they_meet() {
     let along_x = Solid::rod([-4.0, 0.0, 0.0], 1.0, 8.0);
     let part = Part::new()
-        .add(Solid::rod([0.0, 0.0, -4.0], 1.5, 8.0))
-        .add(along_x.facing([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
+        .join(Solid::rod([0.0, 0.0, -4.0], 1.5, 8.0))
+        .join(along_x.facing([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
     let model = build("cross", &part, &COARSE).expect("a cross");
     // The thinner bar is left as two stubs: two patches of one surface.
     let expected = BTreeMap::from([(SurfaceType::Plane, 4), (SurfaceType::Cylinder, 3)]);
@@ -208,8 +208,8 @@ fn two_crossing_bars_share_the_curves_in_which_they_meet() {
 #[test]
 fn flush_solids_make_one_face() {
     let part = Part::new()
-        .add(Solid::cuboid([0.0; 3], [2.0, 1.0, 1.0]))
-        .add(Solid::cuboid([1.0, 0.0, 0.0], [3.0, 1.0, 1.0]));
+        .join(Solid::cuboid([0.0; 3], [2.0, 1.0, 1.0]))
+        .join(Solid::cuboid([1.0, 0.0, 0.0], [3.0, 1.0, 1.0]));
     let model = build("flush", &part, &COARSE).expect("a bar");
     assert_eq!(truth(&model).len(), 6);
 }
@@ -401,11 +401,18 @@ fn descriptions_that_make_no_solid_are_refused() {
         Solid::extrude(Outline::disc([0.0; 2], 1.0), -1.0),
         Solid::rod([0.0; 3], 1.0, 1.0).facing([0.0; 3], [1.0, 0.0, 0.0]),
     ] {
-        let refused = build("bad", &Part::new().add(solid), &COARSE);
+        let refused = build("bad", &Part::new().join(solid), &COARSE);
         assert!(matches!(
             refused,
             Err(SampleError::InvalidPart { feature: 1, .. })
         ));
     }
     assert!(build("nothing", &Part::new(), &COARSE).is_err());
+}
+
+#[test]
+fn the_primitives_do_not_depend_on_the_spacing() {
+    for (coarse, fine) in every_part(&COARSE).zip(every_part(&Options::default())) {
+        assert_eq!(kinds(&coarse), kinds(&fine), "{}", coarse.name);
+    }
 }

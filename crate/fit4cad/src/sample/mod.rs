@@ -124,8 +124,8 @@ pub enum SampleError {
     },
 }
 
-/// Makes a part of the catalogue. O(n) for n points, but for missing data, O(n log n); about a
-/// second per million points.
+/// Makes a part of the catalogue. O(n) for n points, but for missing data, O(n log n); a few
+/// seconds per million points.
 ///
 /// # Errors
 /// [`SampleError`] if there is no such part, an option is out of its range, or there would be more

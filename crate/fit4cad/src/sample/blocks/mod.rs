@@ -132,11 +132,7 @@ impl Part {
 
     /// The part with a solid added.
     #[must_use]
-    #[allow(
-        clippy::should_implement_trait,
-        reason = "the counterpart of `cut`, which no operator names"
-    )]
-    pub fn add(self, solid: Solid) -> Self {
+    pub fn join(self, solid: Solid) -> Self {
         self.with(Operation::Add, solid)
     }
 

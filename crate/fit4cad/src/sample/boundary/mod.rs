@@ -178,16 +178,22 @@ impl Boundary {
         (0..self.faces.len()).filter(touches).collect()
     }
 
-    /// Whether a step of some length, in one of many directions from a point of a face's carrier,
-    /// meets what remains of the face.
+    /// Whether steps of some length, in two of many directions next to each other, from a point of
+    /// a face's carrier meet what remains of the face. One alone may run along an edge, where the
+    /// verdict on a point is worth nothing.
     pub fn remains_near(&self, face: &Face, chart: Chart, step: f64) -> bool {
-        const DIRECTIONS: i32 = 24;
+        const DIRECTIONS: u32 = 32;
         let pace = face.pace(&self.solids[face.solid], chart[0]).max(step);
-        (0..DIRECTIONS).any(|k| {
+        let remains = |k: u32| {
             // No step runs along an axis, where edges are likely.
             let angle = (f64::from(k) + 0.31) * std::f64::consts::TAU / f64::from(DIRECTIONS);
             let (sin, cos) = libm::sincos(angle);
             self.remains(face, [chart[0] + step * cos, chart[1] + step * sin / pace])
+        };
+        let mut before = remains(DIRECTIONS - 1);
+        (0..DIRECTIONS).any(|k| {
+            let now = remains(k);
+            std::mem::replace(&mut before, now) && now
         })
     }
 

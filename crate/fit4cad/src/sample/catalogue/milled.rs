@@ -61,8 +61,8 @@ pub fn bracket() -> Part {
     let through_wall =
         |y: f64| Solid::rod([-1.0, y, 40.0], 5.0, 12.0).facing([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     Part::new()
-        .add(upright(angle, 50.0, 50.0))
-        .add(upright(gusset, 28.5, 7.0))
+        .join(upright(angle, 50.0, 50.0))
+        .join(upright(gusset, 28.5, 7.0))
         .cut(through_wall(12.0))
         .cut(through_wall(38.0))
         .cut(countersink([58.0, 12.0], 3.5, 7.0, 8.0, 10.0))
@@ -81,9 +81,9 @@ pub fn housing() -> Part {
     };
     let ring = |radius: f64, y: f64, width: f64| body(Loop::circle([0.0, 40.0], radius), y, width);
     Part::new()
-        .add(slab([-60.0, -20.0, 0.0], [60.0, 20.0, 10.0], 8.0))
-        .add(body(arch, 15.0, 30.0))
-        .add(ring(22.0, 19.0, 38.0))
+        .join(slab([-60.0, -20.0, 0.0], [60.0, 20.0, 10.0], 8.0))
+        .join(body(arch, 15.0, 30.0))
+        .join(ring(22.0, 19.0, 38.0))
         .cut(ring(13.0, 20.0, 40.0))
         .cut(ring(17.0, 20.0, 12.0))
         .cut(slot([-49.0, 0.0], 8.0, 4.5, [-1.0, 11.0]))
@@ -94,9 +94,9 @@ pub fn housing() -> Part {
 pub fn plate() -> Part {
     let corners = [[-40.0, -25.0], [40.0, -25.0], [40.0, 25.0], [-40.0, 25.0]];
     let body = Part::new()
-        .add(slab([-50.0, -35.0, 0.0], [50.0, 35.0, 14.0], 10.0))
+        .join(slab([-50.0, -35.0, 0.0], [50.0, 35.0, 14.0], 10.0))
         .cut(slab([-26.0, -18.0, 6.0], [26.0, 18.0, 20.0], 7.0))
-        .add(Solid::rod([0.0, 0.0, 3.0], 9.0, 11.0))
+        .join(Solid::rod([0.0, 0.0, 3.0], 9.0, 11.0))
         .cut(Solid::rod([0.0, 0.0, -1.0], 5.0, 20.0));
     corners.into_iter().fold(body, |part, at| {
         part.cut(countersink(at, 3.5, 7.0, 14.0, 16.0))
@@ -105,9 +105,9 @@ pub fn plate() -> Part {
 
 pub fn towers() -> Part {
     Part::new()
-        .add(Solid::cuboid([0.0, 0.0, 0.0], [100.0, 60.0, 12.0]))
-        .add(Solid::cuboid([10.0, 12.0, 6.0], [38.0, 48.0, 50.0]))
-        .add(Solid::cuboid([62.0, 12.0, 6.0], [90.0, 48.0, 50.0]))
+        .join(Solid::cuboid([0.0, 0.0, 0.0], [100.0, 60.0, 12.0]))
+        .join(Solid::cuboid([10.0, 12.0, 6.0], [38.0, 48.0, 50.0]))
+        .join(Solid::cuboid([62.0, 12.0, 6.0], [90.0, 48.0, 50.0]))
         .cut(Solid::rod([50.0, 30.0, -1.0], 6.0, 20.0))
 }
 
@@ -137,7 +137,7 @@ pub fn heat_sink() -> Part {
         )
     };
     Part::new()
-        .add(comb)
+        .join(comb)
         .cut(Solid::cuboid([-5.0, 25.0, 7.0], [width + 5.0, 35.0, 40.0]))
         .cut(hole(3.0))
         .cut(hole(11.0))
@@ -163,10 +163,10 @@ pub fn gear() -> Part {
     }
     let web = Outline::disc([0.0, 0.0], 34.0).hole(Loop::circle([0.0, 0.0], 15.0));
     Part::new()
-        .add(Solid::extrude(Outline::new(Loop::rounded(&rim)), 16.0))
+        .join(Solid::extrude(Outline::new(Loop::rounded(&rim)), 16.0))
         .cut(Solid::extrude(web.clone(), 5.0).at([0.0, 0.0, 12.0]))
         .cut(Solid::extrude(web, 5.0).at([0.0, 0.0, -1.0]))
-        .add(Solid::rod([0.0, 0.0, -4.0], 15.0, 24.0))
+        .join(Solid::rod([0.0, 0.0, -4.0], 15.0, 24.0))
         .cut(Solid::rod([0.0, 0.0, -5.0], 9.0, 30.0))
         .cut(Solid::cuboid([4.0, -2.5, -5.0], [11.5, 2.5, 30.0]))
 }

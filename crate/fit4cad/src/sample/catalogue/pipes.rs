@@ -15,11 +15,11 @@ pub fn elbow() -> Part {
         Solid::rod([x, 40.0, 0.0], radius, height).facing([-1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     };
     let mut part = Part::new()
-        .add(Solid::revolve_by(around(15.0), FRAC_PI_2))
-        .add(bar(0.0, 15.0, 20.0))
-        .add(other(0.0, 15.0, 30.0))
-        .add(bar(-20.0, 26.0, 7.0))
-        .add(other(-30.0, 26.0, 7.0))
+        .join(Solid::revolve_by(around(15.0), FRAC_PI_2))
+        .join(bar(0.0, 15.0, 20.0))
+        .join(other(0.0, 15.0, 30.0))
+        .join(bar(-20.0, 26.0, 7.0))
+        .join(other(-30.0, 26.0, 7.0))
         .cut(Solid::revolve_by(around(11.0), FRAC_PI_2))
         .cut(bar(0.0, 11.0, 30.0))
         .cut(other(0.0, 11.0, 40.0));
@@ -65,11 +65,11 @@ pub fn branch() -> Part {
             .facing(axis, x)
     };
     Part::new()
-        .add(pipe(16.0, -42.0, 58.0))
-        .add(arm(11.0, 0.0, 58.0))
-        .add(collar(20.0, along(run, -42.0), run, lean))
-        .add(collar(20.0, along(run, 50.0), run, lean))
-        .add(collar(15.0, along(way, 50.0), way, run))
+        .join(pipe(16.0, -42.0, 58.0))
+        .join(arm(11.0, 0.0, 58.0))
+        .join(collar(20.0, along(run, -42.0), run, lean))
+        .join(collar(20.0, along(run, 50.0), run, lean))
+        .join(collar(15.0, along(way, 50.0), way, run))
         .cut(pipe(12.0, -50.0, 70.0))
         .cut(arm(8.0, 0.0, 70.0))
 }

@@ -14,7 +14,7 @@ pub fn flange() -> Part {
         [22.0, 36.0, 3.0],
         [12.0, 36.0, 0.0],
     ]);
-    let body = Part::new().add(Solid::revolve(Outline::new(profile)));
+    let body = Part::new().join(Solid::revolve(Outline::new(profile)));
     (0..6).fold(body, |part, k| {
         let (sin, cos) = libm::sincos(f64::from(k) * FRAC_PI_3);
         part.cut(Solid::rod([37.0 * cos, 37.0 * sin, -1.0], 4.5, 13.0))
@@ -44,7 +44,7 @@ pub fn shaft() -> Part {
         .at([10.0, 0.0, 0.0])
         .facing([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     Part::new()
-        .add(Solid::revolve(Outline::new(profile)))
+        .join(Solid::revolve(Outline::new(profile)))
         .cut(keyway)
 }
 
@@ -63,7 +63,7 @@ pub fn ball_joint() -> Part {
         .arc_about([0.0, 64.0], [0.0, 84.0]);
     let flats = |y: [f64; 2]| Solid::cuboid([-30.0, y[0], 27.0], [30.0, y[1], 35.0]);
     Part::new()
-        .add(Solid::revolve(Outline::new(ball)))
+        .join(Solid::revolve(Outline::new(ball)))
         .cut(flats([-30.0, -18.0]))
         .cut(flats([18.0, 30.0]))
         .cut(Solid::rod([0.0, 0.0, 68.0], 4.0, 20.0))
@@ -89,8 +89,8 @@ pub fn nozzle() -> Part {
         .collect();
     let hexagon = Outline::new(Loop::polygon(&hexagon)).hole(Loop::circle([0.0, 0.0], 20.0));
     Part::new()
-        .add(Solid::revolve(Outline::new(profile)))
-        .add(Solid::extrude(hexagon, 14.0).at([0.0, 0.0, 12.0]))
+        .join(Solid::revolve(Outline::new(profile)))
+        .join(Solid::extrude(hexagon, 14.0).at([0.0, 0.0, 12.0]))
 }
 
 pub fn spool() -> Part {
@@ -108,7 +108,7 @@ pub fn spool() -> Part {
         [30.0, 36.0, 0.0],
         [10.0, 36.0, 0.0],
     ]);
-    Part::new().add(Solid::revolve(Outline::new(profile)))
+    Part::new().join(Solid::revolve(Outline::new(profile)))
 }
 
 pub fn knob() -> Part {
@@ -123,7 +123,7 @@ pub fn knob() -> Part {
     let half = 4.0 * SQRT_2;
     let bore = Loop::path([-half, 2.0]).arc_about([0.0, 0.0], [half, 2.0]);
     Part::new()
-        .add(Solid::revolve(Outline::new(profile)))
+        .join(Solid::revolve(Outline::new(profile)))
         .cut(Solid::extrude(Outline::new(bore), 20.0).at([0.0, 0.0, -2.0]))
         .cut(Solid::rod([0.0, 0.0, 52.5], 12.0, 10.0))
 }
