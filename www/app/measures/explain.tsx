@@ -6,6 +6,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Measure } from "../engine/contract";
 import { protocol } from "../state/settings";
 import { Icon } from "../ui/icon";
+import { placeBeside } from "../ui/place";
 import { MEASURE_TEXT, protocolNote } from "./measures";
 
 const explained = signal<{ measure: Measure; anchor: HTMLElement } | undefined>(undefined);
@@ -89,16 +90,4 @@ function Explanation({ measure }: { measure: Measure }): JSX.Element {
       </dl>
     </>
   );
-}
-
-const MARGIN = 8;
-
-function placeBeside(element: HTMLElement, anchor: HTMLElement): void {
-  const from = anchor.getBoundingClientRect();
-  const size = element.getBoundingClientRect();
-  const left = Math.min(from.left, innerWidth - size.width - MARGIN);
-  const below = from.bottom + MARGIN;
-  const top = below + size.height + MARGIN <= innerHeight ? below : from.top - size.height - MARGIN;
-  element.style.left = `${Math.max(MARGIN, left)}px`;
-  element.style.top = `${Math.max(MARGIN, top)}px`;
 }

@@ -39,6 +39,8 @@ export function Header(): JSX.Element {
           Add data
         </button>
         <ProtocolSwitch />
+      </div>
+      <div class="bar-icons">
         <ThemeButton />
         <button
           type="button"

@@ -28,4 +28,4 @@ export const eyeDome = remembered("eye-dome", "on", ["on", "off"] as const);
 export const unsegmentedShown = remembered("unsegmented", "on", ["on", "off"] as const);
 export const projection = remembered("projection", "perspective", ["perspective", "orthographic"] as const);
 /** Diameter of a point over the typical distance of neighbours. */
-export const pointSize = signal(1.4);
+export const pointSize = signal(1.7);

@@ -13,23 +13,23 @@ export function Stage(): JSX.Element {
   const entry = modelById(selectedModel.value);
   return (
     <section class="stage" aria-label="Selected model">
-      {entry ? (
-        <>
-          <Head entry={entry} />
+      {entry && (
+        <header class="stage-head">
+          <Title entry={entry} />
           <Readouts />
-        </>
-      ) : null}
+        </header>
+      )}
       <Picture />
     </section>
   );
 }
 
-function Head({ entry }: { entry: ModelEntry }): JSX.Element {
+function Title({ entry }: { entry: ModelEntry }): JSX.Element {
   const { status } = entry;
   const report = selectedReports.value?.[protocol.value];
   const info = status.kind === "scored" ? status.result.info : undefined;
   return (
-    <header class="stage-head">
+    <div class="stage-title">
       <h2>{entry.id}</h2>
       {info && info.methods.length > 0 && (
         <fieldset class="switch">
@@ -54,7 +54,7 @@ function Head({ entry }: { entry: ModelEntry }): JSX.Element {
           {!info.hasTruth && ", no ground truth"}
         </p>
       )}
-    </header>
+    </div>
   );
 }
 

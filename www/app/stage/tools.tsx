@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
 import { STANDPOINTS } from "../view/types";
+import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 import {
   arrangement,
@@ -70,20 +71,24 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
       <button type="button" disabled={!view} onClick={() => view?.fit()}>
         Fit
       </button>
-      <label class="size">
-        Size
-        <input
-          type="range"
-          min={0.4}
-          max={4}
-          step={0.1}
-          value={pointSize.value}
-          onInput={(event) => (pointSize.value = event.currentTarget.valueAsNumber)}
-        />
-      </label>
-      <Toggle on={unsegmentedShown} yes="on" no="off" label="Unsegmented" />
-      <Toggle on={eyeDome} yes="on" no="off" label="Depth shading" />
-      <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
+      <Popover label="Display">
+        <div class="display-options">
+          <label class="size">
+            Size
+            <input
+              type="range"
+              min={0.4}
+              max={4}
+              step={0.1}
+              value={pointSize.value}
+              onInput={(event) => (pointSize.value = event.currentTarget.valueAsNumber)}
+            />
+          </label>
+          <Toggle on={unsegmentedShown} yes="on" no="off" label="Unsegmented" />
+          <Toggle on={eyeDome} yes="on" no="off" label="Depth shading" />
+          <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
+        </div>
+      </Popover>
     </div>
   );
 }
