@@ -1,0 +1,67 @@
+import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
+import { scoreOfSample } from "./support/engine";
+import { contentOf, LEFT, RIGHT } from "./support/pixels";
+
+test("opens with a sample that is scored as the engine scores it", async ({ page }) => {
+  await open(page);
+  const model = (await rows(page).getByRole("rowheader").textContent()) ?? "";
+  expect(await measuresIn(row(page, model))).toEqual(scoreOfSample(model).mean);
+  await picture(page, "opening-light");
+});
+
+test("shows the points of truth and prediction in the colours of their primitives", async ({ page }) => {
+  await open(page);
+  const canvas = page.locator(".canvas-box canvas");
+  await expect
+    .poll(async () => (await contentOf(page, canvas, LEFT)).hues, { message: "colours on the left" })
+    .toBeGreaterThan(4);
+  const right = await contentOf(page, canvas, RIGHT);
+  expect(right.hues).toBeGreaterThan(4);
+  expect(right.coloured).toBeGreaterThan(0.05);
+});
+
+test("the paper's figure paints what is misclassified black, on the prediction's side only", async ({ page }) => {
+  await open(page);
+  await page.getByLabel("Colour").selectOption({ label: "The paper's figure" });
+  // Without shading, black is nothing but misclassified points.
+  await page.getByRole("button", { name: "Display" }).click();
+  await page.getByLabel("Depth shading").uncheck();
+  await page.keyboard.press("Escape");
+  const canvas = page.locator(".canvas-box canvas");
+  await expect.poll(async () => (await contentOf(page, canvas, RIGHT)).black).toBeGreaterThan(0.005);
+  expect((await contentOf(page, canvas, LEFT)).black).toBeLessThan(0.001);
+  await picture(page, "figure");
+});
+
+test("the protocol switch shows the other protocol's values and keeps the choice", async ({ page }) => {
+  await open(page);
+  const model = (await rows(page).getByRole("rowheader").textContent()) ?? "";
+  await page.getByRole("radio", { name: "Published" }).check({ force: true });
+  expect(await measuresIn(row(page, model))).toEqual(scoreOfSample(model, "published").mean);
+  await page.reload();
+  await expect(page.getByRole("radio", { name: "Published" })).toBeChecked();
+});
+
+test("light and dark follow the system until the reader chooses", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await open(page);
+  const root = page.locator("html");
+  await expect(root).toHaveAttribute("data-theme", "dark");
+  await picture(page, "opening-dark");
+  await page.getByRole("button", { name: /^Theme/ }).click();
+  await expect(root).toHaveAttribute("data-theme", "light");
+  await page.reload();
+  await expect(root).toHaveAttribute("data-theme", "light");
+});
+
+for (const [width, height] of [[360, 740], [1280, 720], [2560, 1440]] as const) {
+  test(`fits a window of ${width} × ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await open(page);
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(overflow).toBeLessThanOrEqual(0);
+    const canvas = await page.locator(".canvas-box canvas").boundingBox();
+    expect(canvas?.height).toBeGreaterThan(150);
+    await picture(page, `window-${width}`);
+  });
+}
