@@ -1,10 +1,12 @@
 // From a list of files to reports: groups them into models, reads and scores one model at a time.
 
+import { createHash } from "node:crypto";
 import { reason, unusable } from "./inputs.mjs";
 
 /**
  * Scores every submission among the files; with `self`, the truth against itself instead. Gives
- * `{ reports, diagnostics }`: the reports in the engine's order, by model number, name and method.
+ * `{ results, diagnostics }`: the reports in the engine's order, by model number, name and method,
+ * each with the engine's version and the files it was made of.
  */
 export function evaluate(engine, files, { protocol, self = false, progress = () => {} }) {
   const grouping = engine.group(files.map(({ path }) => path));
@@ -12,16 +14,24 @@ export function evaluate(engine, files, { protocol, self = false, progress = () 
     unusable(path, why, "", "warning"),
   );
   const byPath = new Map(files.map((file) => [file.path, file]));
-  const reports = [];
+  const results = [];
+  const version = engine.version();
   grouping.models.forEach((group, index) => {
     progress(`${index + 1} of ${grouping.models.length}: ${group.name}`);
     const wanted = group.files.filter(({ method }) => !self || method === undefined);
     const inputs = readInputs(wanted, byPath, diagnostics);
     const scored = scoreModel(engine.Model.read(group.name, inputs), { protocol, self });
-    reports.push(...scored.reports);
+    const hashed = inputs.map(hash);
+    results.push(
+      ...scored.reports.map((report) => ({
+        ...report,
+        engine: version,
+        files: hashed.filter(({ method }) => method === undefined || method === report.method),
+      })),
+    );
     diagnostics.push(...scored.diagnostics);
   });
-  return { reports, diagnostics };
+  return { results, diagnostics };
 }
 
 function readInputs(files, byPath, diagnostics) {
@@ -34,6 +44,10 @@ function readInputs(files, byPath, diagnostics) {
     }
   }
   return inputs;
+}
+
+function hash({ bytes, ...file }) {
+  return { ...file, sha256: createHash("sha256").update(bytes).digest("hex") };
 }
 
 function scoreModel(model, { protocol, self }) {

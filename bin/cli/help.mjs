@@ -16,7 +16,7 @@ Try it on a model of your own making:
 Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
 `;
 
-const score = `fit4cad score PATH… [--protocol definition|published] [--format table|json|csv|latex] [--self]
+const score = `fit4cad score PATH… [--protocol definition|published] [--format FORMAT] [--self]
 
 Scores every submission found in the given files, folders and zips against the ground truth found
 beside it. Files belong to one model by their names:
@@ -39,6 +39,7 @@ method's submission; files in other folders are the truth. One of the two surfac
   --format json           everything, with one entry per primitive and the diagnostics
   --format csv            one row per model and method, for a spreadsheet
   --format latex          a booktabs table like the paper's
+  --format markdown       a table for a README or a discussion
   --self                  scores the truth against itself, as method "truth"
 
 Measures, each the mean over primitives; n/a (null in JSON) where one cannot be had:
@@ -48,6 +49,8 @@ Measures, each the mean over primitives; n/a (null in JSON) where one cannot be 
                            predicted surface, over the diagonal of their bounding box; 0 is best
   d1                       distance of the predicted and the true implicit coefficients; 0 is best
   type errors              predictions whose type differs from the truth's: they have no d1
+
+All formats but the table carry the engine's version, the protocol and the SHA-256 of each file read.
 
 Results go to stdout. What is wrong with the input goes to stderr, with file, line and column; in
 JSON it is part of the output. A broken entry does not keep the rest of a file from being scored.

@@ -25,7 +25,7 @@ export async function score(args) {
 
   progress.show("looking for files");
   const inputs = collect(positionals);
-  const { reports, diagnostics } = evaluate(engine, inputs.files, {
+  const { results, diagnostics } = evaluate(engine, inputs.files, {
     protocol,
     self: values.self,
     progress: (text) => progress.show(`scoring ${text}`),
@@ -33,23 +33,23 @@ export async function score(args) {
   progress.clear();
 
   const problems = [...inputs.diagnostics, ...diagnostics];
-  for (const problem of shownOnTerminal(problems, reports, format)) {
+  for (const problem of shownOnTerminal(problems, results, format)) {
     warn(inOneLine(problem));
   }
-  if (reports.length === 0) {
+  if (results.length === 0) {
     warn("fit4cad score: nothing could be scored. A score needs a cloud, its truth and a submission; see fit4cad score --help.");
   }
-  await print(FORMATS[format](reports));
-  const failed = reports.length === 0 || problems.some(({ severity }) => severity === "error");
+  await print(FORMATS[format](results));
+  const failed = results.length === 0 || problems.some(({ severity }) => severity === "error");
   return failed ? 1 : 0;
 }
 
 /** JSON holds the diagnostics of its reports itself; only the others are left for the terminal. */
-function shownOnTerminal(problems, reports, format) {
+function shownOnTerminal(problems, results, format) {
   if (format !== "json") {
     return problems;
   }
-  const told = new Set(reports.flatMap(({ diagnostics }) => diagnostics.map(inOneLine)));
+  const told = new Set(results.flatMap(({ diagnostics }) => diagnostics.map(inOneLine)));
   return problems.filter((problem) => !told.has(inOneLine(problem)));
 }
 

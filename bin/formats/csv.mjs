@@ -1,27 +1,60 @@
+// @ts-check
 // CSV (RFC 4180): one row per model and method.
 
 import { MEASURES } from "./measures.mjs";
 
+/** @typedef {import("./results.mjs").Result} Result */
+/** @typedef {import("./results.mjs").Role} Role */
+
+/** One column per file: whose it is, and what it holds. */
+const FILES = /** @type {const} */ ([
+  ["cloud", undefined],
+  ["primitives", "truth"],
+  ["parametric", "truth"],
+  ["implicit", "truth"],
+  ["primitives", "method"],
+  ["parametric", "method"],
+  ["implicit", "method"],
+]);
+
 const HEAD = [
   ...["model", "method", "protocol", "points", "truth", "predicted"],
-  ...[...MEASURES, "type_errors"],
+  ...[...MEASURES, "type_errors", "engine"],
+  ...FILES.map(([role, owner]) => [owner, role, "sha256"].filter(Boolean).join("_")),
 ];
 
-export function csv(reports) {
-  const rows = reports.map((report) => [
-    ...[report.model, report.method, report.protocol].map(guarded),
-    ...[report.points, report.truth, report.predicted],
-    ...MEASURES.map((measure) => report.mean[measure] ?? ""),
-    report.type_errors,
+/** @param {readonly Result[]} results */
+export function csv(results) {
+  const rows = results.map((result) => [
+    ...[result.model, result.method, result.protocol].map(guarded),
+    ...[result.points, result.truth, result.predicted],
+    ...MEASURES.map((measure) => result.mean[measure] ?? ""),
+    result.type_errors,
+    guarded(result.engine),
+    ...FILES.map(([role, owner]) => hashOf(result, role, owner === "method")),
   ]);
   return [HEAD, ...rows].map((row) => `${row.map(cell).join(",")}\r\n`).join("");
 }
 
-/** Spreadsheets run a text that starts like a formula; a leading apostrophe keeps it a text. */
+/**
+ * @param {Result} result
+ * @param {Role} role
+ * @param {boolean} submitted
+ */
+function hashOf({ files }, role, submitted) {
+  const found = files.filter((file) => file.role === role && (file.method !== undefined) === submitted);
+  return found.map(({ sha256 }) => sha256 ?? "").join(" ");
+}
+
+/**
+ * Spreadsheets run a text that starts like a formula; a leading apostrophe keeps it a text.
+ * @param {string} text
+ */
 function guarded(text) {
   return /^[=+\-@\t\r\n]/.test(text) ? `'${text}` : text;
 }
 
+/** @param {string | number} value */
 function cell(value) {
   const text = String(value);
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;

@@ -3,6 +3,7 @@
 import { csv } from "./csv.mjs";
 import { json } from "./json.mjs";
 import { latex } from "./latex.mjs";
+import { markdown } from "./markdown.mjs";
 import { table } from "./table.mjs";
 
-export const FORMATS = { table, json, csv, latex };
+export const FORMATS = { table, json, csv, latex, markdown };

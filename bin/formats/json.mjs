@@ -1,5 +1,7 @@
-// JSON: everything, as the engine reports it.
+// @ts-check
+// JSON: everything, as the engine reports it, each report with the files it was made of.
 
-export function json(reports) {
-  return `${JSON.stringify(reports, null, 2)}\n`;
+/** @param {readonly import("./results.mjs").Result[]} results */
+export function json(results) {
+  return `${JSON.stringify(results, null, 2)}\n`;
 }

@@ -1,7 +1,7 @@
 // A table for the eye: one aligned row per model and method, then each method's mean.
 
 import { printable } from "../cli/terminal.mjs";
-import { MEASURES, meanOf, methodsOf } from "./measures.mjs";
+import { MEASURES, byMethod, meanOf } from "./measures.mjs";
 
 const HEAD = ["model", "method", "points", "truth", "predicted", ...MEASURES, "type errors"];
 const TEXT_COLUMNS = 2;
@@ -22,16 +22,13 @@ export function table(reports) {
 
 /** The mean over the models of each method that has several. */
 function meanRows(reports) {
-  return methodsOf(reports)
-    .map((method) => ({ method, own: reports.filter((report) => report.method === method) }))
-    .filter(({ own }) => own.length > 1)
-    .map(({ method, own }) => [
-      `mean of ${own.length}`,
-      method,
-      ...["", "", ""],
-      ...MEASURES.map((measure) => figure(meanOf(own, measure))),
-      String(own.reduce((sum, { type_errors }) => sum + type_errors, 0)),
-    ]);
+  return byMethod(reports).map(({ method, own }) => [
+    `mean of ${own.length}`,
+    method,
+    ...["", "", ""],
+    ...MEASURES.map((measure) => figure(meanOf(own, measure))),
+    String(own.reduce((sum, { type_errors }) => sum + type_errors, 0)),
+  ]);
 }
 
 function figure(value) {

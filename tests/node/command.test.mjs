@@ -20,7 +20,7 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
     [[], /score/],
     [["scroe"], /no command "scroe"/],
     [["score"], /at least one file/],
-    [["score", ".", "--format", "xml"], /expected table, json, csv, latex/],
+    [["score", ".", "--format", "xml"], /expected table, json, csv, latex, markdown/],
     [["score", ".", "--protocol", "mine"], /expected definition, published/],
     [["score", ".", "--colour"], /--colour/],
     [["generate"], /--list/],
