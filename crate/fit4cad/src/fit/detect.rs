@@ -81,7 +81,7 @@ fn round(
 }
 
 /// Failed seeds after which a round ends.
-const MOST_FAILURES: usize = 1500;
+const MOST_FAILURES: usize = 600;
 
 fn keep(search: &mut Search<'_>, candidate: Candidate, observer: &mut dyn Observer) {
     if observer.wants_trace() {

@@ -191,6 +191,8 @@ impl Chart<5> for CylinderChart {
 pub(super) struct ConeChart {
     frame: AxisFrame,
     slope: f64,
+    /// Sine and cosine of the slope: taken once, not for every point.
+    sin_cos: (f64, f64),
     reach: f64,
 }
 
@@ -211,6 +213,7 @@ impl ConeChart {
         Self {
             frame,
             slope,
+            sin_cos: slope.sin_cos(),
             reach: height * slope.sin(),
         }
     }
@@ -220,6 +223,7 @@ impl ConeChart {
         Self {
             frame: AxisFrame::new(cylinder.centre.coords, cylinder.axis).centred(),
             slope: 0.0,
+            sin_cos: (0.0, 1.0),
             reach: cylinder.radius,
         }
     }
@@ -232,7 +236,7 @@ impl Chart<6> for ConeChart {
             radius,
             outward: [u, v],
         } = self.frame.axial(point);
-        let (sin, cos) = self.slope.sin_cos();
+        let (sin, cos) = self.sin_cos;
         let tilt = -(cos * height + sin * radius);
         let turn = -(radius * sin + height * cos);
         let gradient = [-cos * u, -cos * v, tilt * u, tilt * v, turn, -1.0];
@@ -250,6 +254,7 @@ impl Chart<6> for ConeChart {
         Self {
             frame: centred,
             slope,
+            sin_cos: slope.sin_cos(),
             reach: reach + shift * slope.sin(),
         }
     }

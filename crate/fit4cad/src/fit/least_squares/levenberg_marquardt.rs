@@ -10,20 +10,43 @@ use crate::surface::Surface;
 /// Steps shorter than this, in units of the patch, change nothing.
 const SETTLED: f64 = 1e-14;
 
+/// When to stop.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    /// Most steps.
+    pub steps: usize,
+    /// Smallest share of the cost that a step has to gain for another to be worth taking.
+    pub least_gain: f64,
+}
+
+impl Effort {
+    /// To the minimum.
+    pub const FULL: Self = Self {
+        steps: 60,
+        least_gain: 1e-9,
+    };
+    /// For a hypothesis. Near a true surface the cost of exact points falls by orders of magnitude
+    /// with each step; where it does not, the hypothesis is wrong and its minimum of no interest.
+    pub const HYPOTHESIS: Self = Self {
+        steps: 12,
+        least_gain: 0.1,
+    };
+}
+
 /// The surface that minimises Σ loss(d) over points of unit size, and its root (weighted) mean
 /// squared distance. Each step solves (JᵀWJ + μ diag) δ = -JᵀWd; μ falls after a step that
-/// lowers the cost and rises after one that does not, which is then not taken. Ends after `steps`
-/// at the latest.
+/// lowers the cost and rises after one that does not, which is then not taken. How long
+/// that goes on is a matter of `effort`.
 pub(super) fn minimise<const N: usize, C: Chart<N>>(
     start: C,
     points: &[Vector],
     loss: Loss,
-    steps: usize,
+    effort: Effort,
 ) -> Option<(Surface, f64)> {
     let mut chart = start;
     let mut cost = total_cost(&chart, points, loss);
     let mut damping = 1e-4;
-    for _ in 0..steps {
+    for _ in 0..effort.steps {
         let (normal, gradient) = normal_equations(&chart, points, loss);
         let mut improvement = None;
         // An exhausted damping means that no step helps: a minimum to machine precision.
@@ -52,7 +75,7 @@ pub(super) fn minimise<const N: usize, C: Chart<N>>(
         let gain = cost - next_cost;
         chart = next;
         cost = next_cost;
-        if length < SETTLED || gain <= 1e-9 * cost {
+        if length < SETTLED || gain <= effort.least_gain * cost {
             break;
         }
     }

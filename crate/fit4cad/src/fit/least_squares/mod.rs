@@ -11,7 +11,7 @@
 mod charts;
 mod levenberg_marquardt;
 
-use levenberg_marquardt::minimise;
+use levenberg_marquardt::{Effort, minimise};
 use nalgebra::Isometry3;
 
 use crate::cloud::normals::Spread;
@@ -84,16 +84,16 @@ pub const fn degrees_of_freedom(kind: SurfaceType) -> usize {
 /// `None` where there are fewer points than degrees of freedom, or the points do not determine a
 /// surface near the start (it flies off to infinity). O(iterations × points).
 pub fn fit(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
-    fit_within(start, points, loss, 60)
+    fit_within(start, points, loss, Effort::FULL)
 }
 
 /// As [`fit`], but with so few steps that a bad start is given up early: for hypotheses, most of
 /// which are wrong.
 pub fn approximate(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
-    fit_within(start, points, loss, 12)
+    fit_within(start, points, loss, Effort::HYPOTHESIS)
 }
 
-fn fit_within(start: &Surface, points: &[Point], loss: Loss, steps: usize) -> Option<Fitted> {
+fn fit_within(start: &Surface, points: &[Point], loss: Loss, effort: Effort) -> Option<Fitted> {
     if points.len() < degrees_of_freedom(start.kind()) {
         return None;
     }
@@ -104,13 +104,13 @@ fn fit_within(start: &Surface, points: &[Point], loss: Loss, steps: usize) -> Op
     let (surface, error) = match start {
         Surface::Plane(plane) => fit_plane(&plane, &local, loss)?,
         Surface::Cylinder(shape) => {
-            minimise(charts::CylinderChart::new(&shape), &local, loss, steps)?
+            minimise(charts::CylinderChart::new(&shape), &local, loss, effort)?
         }
         Surface::Cone(shape) => {
-            minimise(charts::ConeChart::new(&shape, &local), &local, loss, steps)?
+            minimise(charts::ConeChart::new(&shape, &local), &local, loss, effort)?
         }
-        Surface::Sphere(shape) => minimise(charts::SphereChart::new(&shape), &local, loss, steps)?,
-        Surface::Torus(shape) => minimise(charts::TorusChart::new(&shape), &local, loss, steps)?,
+        Surface::Sphere(shape) => minimise(charts::SphereChart::new(&shape), &local, loss, effort)?,
+        Surface::Torus(shape) => minimise(charts::TorusChart::new(&shape), &local, loss, effort)?,
     };
     Some(Fitted {
         surface: frame.leave_surface(&surface),
@@ -130,7 +130,12 @@ pub fn fit_cone_near(cylinder: &Cylinder, points: &[Point], loss: Loss) -> Optio
         return None;
     };
     let chart = charts::ConeChart::from_cylinder(&start);
-    let (surface, error) = minimise(chart, &local, loss.scaled(1.0 / frame.scale), 20)?;
+    let (surface, error) = minimise(
+        chart,
+        &local,
+        loss.scaled(1.0 / frame.scale),
+        Effort::HYPOTHESIS,
+    )?;
     Some(Fitted {
         surface: frame.leave_surface(&surface),
         error: error * frame.scale,
