@@ -23,7 +23,7 @@ export function listen(groups: readonly ShortcutGroup[]): void {
   window.addEventListener("keydown", (event) => {
     if (keysOn.value === "off" && event.key !== "Escape") return;
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
-    if (document.querySelector("dialog[open]")) return;
+    if (document.querySelector("dialog[open], :popover-open")) return;
     const found = groups.flatMap(({ shortcuts }) => shortcuts).find(({ key }) => key === event.key);
     if (!found) return;
     event.preventDefault();

@@ -1,0 +1,82 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, open, picture, rows, test } from "./support/test";
+
+async function expectNoFindings(page: Page, where: string): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  const told = violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join("\n")}`);
+  expect(told, where).toEqual([]);
+}
+
+for (const scheme of ["light", "dark"] as const) {
+  test(`axe finds nothing in the panels and sheets, ${scheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme: scheme });
+    await open(page);
+    for (const tab of await page.getByRole("tab").all()) {
+      await tab.click();
+      await expect(page.locator(".panel")).not.toContainText("Loading");
+      await expectNoFindings(page, `panel ${await tab.textContent()}`);
+    }
+    for (const sheet of ["Add data", "What the protocols are", "Keyboard and help"]) {
+      await page.getByRole("button", { name: sheet }).click();
+      await expect(page.getByRole("dialog")).toBeVisible();
+      await expectNoFindings(page, sheet);
+      await picture(page, `sheet ${sheet} ${scheme}`);
+      await page.keyboard.press("Escape");
+    }
+  });
+}
+
+test("everything can be reached and used by keyboard", async ({ page }) => {
+  await open(page);
+  await page.keyboard.press("Tab");
+  await expect(page.getByRole("link", { name: "Skip to content" })).toBeFocused();
+  await page.keyboard.press("o");
+  const sheet = page.getByRole("dialog", { name: "Add data" });
+  await expect(sheet).toBeVisible();
+  await sheet.getByRole("button", { name: /^Flange/ }).focus();
+  await page.keyboard.press("Enter");
+  await expect(rows(page)).toHaveCount(2);
+  await page.keyboard.press("]");
+  await page.keyboard.press("[");
+  await expect(page.locator(".stage h2")).toHaveText("bracket");
+  await page.keyboard.press("p");
+  await expect(page.getByRole("radio", { name: "Published" })).toBeChecked();
+  await page.keyboard.press("2");
+  await expect(page.getByRole("tab", { name: "Primitives" })).toHaveAttribute("aria-selected", "true");
+  await page.keyboard.press("/");
+  await expect(page.getByLabel("Search the models")).toBeFocused();
+  await page.keyboard.press("Escape");
+  await page.locator(".canvas-box canvas").focus();
+  await page.keyboard.press("?");
+  await expect(page.getByRole("dialog", { name: "Keyboard" })).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(page.locator(".canvas-box canvas")).toBeFocused();
+});
+
+test("focus is never without a visible mark", async ({ page }) => {
+  await open(page);
+  for (let step = 0; step < 40; step++) {
+    await page.keyboard.press("Tab");
+    const unmarked = await page.evaluate(() => {
+      const element = document.activeElement;
+      if (!element || element === document.body) return undefined;
+      // A hidden input shows its mark on the label beside or around it.
+      const marked = [element, element.nextElementSibling, element.closest("label")];
+      return marked.some((part) => part && getComputedStyle(part).outlineStyle !== "none") ? undefined : element.outerHTML;
+    });
+    expect(unmarked).toBeUndefined();
+  }
+});
+
+test("the page asks no one else for anything", async ({ page }) => {
+  const strangers: string[] = [];
+  page.on("request", (request) => {
+    const { protocol, host } = new URL(request.url());
+    if (protocol.startsWith("http") && host !== new URL(page.url() === "about:blank" ? request.url() : page.url()).host) {
+      strangers.push(request.url());
+    }
+  });
+  await open(page);
+  expect(strangers).toEqual([]);
+});
