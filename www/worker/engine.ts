@@ -109,6 +109,15 @@ const worker: EngineWorker = {
       ...buffersOf(prediction),
     ]);
   },
+
+  async normals(source) {
+    const normals = (await read(source)).normals() as Float32Array<ArrayBuffer>;
+    return Comlink.transfer(normals, [normals.buffer]);
+  },
+
+  async patch(source, place, method) {
+    return (await read(source)).patch(place, method);
+  },
 };
 
 Comlink.expose(worker);

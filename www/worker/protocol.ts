@@ -3,7 +3,7 @@
 // Every call is self-contained: it carries the files it needs, so any worker of the pool can
 // answer it and ending a worker loses nothing but the call under way.
 
-import type { SampleOptions, Grouping, ModelInfo, Override, PartInfo, PrimitiveInfo, Report, Role } from "../app/engine/contract";
+import type { SampleOptions, Grouping, ModelInfo, Override, PartInfo, PatchMesh, PrimitiveInfo, Report, Role } from "../app/engine/contract";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
@@ -71,4 +71,8 @@ export interface EngineWorker {
   generate(part: string, options: SampleOptions): Promise<WrittenFiles>;
   score(source: ModelSource): Promise<ScoredModel>;
   open(source: ModelSource, method: string | undefined): Promise<ModelScene>;
+  /** Unit normal of every point, without a sign. */
+  normals(source: ModelSource): Promise<Float32Array<ArrayBuffer>>;
+  /** The patch of a primitive's surface that its points cover; of the truth where no method is given. */
+  patch(source: ModelSource, place: number, method: string | undefined): Promise<PatchMesh | undefined>;
 }

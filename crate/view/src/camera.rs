@@ -101,6 +101,8 @@ pub struct Lens {
     pub scale: f32,
     /// Distance from the eye to the target.
     pub reference: f32,
+    /// Whether rays meet in the eye.
+    pub perspective: bool,
     /// Rotation of the camera.
     pub rotation: Quat,
 }
@@ -189,6 +191,7 @@ impl Camera {
             scale,
             reference: self.distance(),
             rotation: self.rotation,
+            perspective: self.projection == Projection::Perspective,
         }
     }
 

@@ -6,7 +6,7 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::camera::{Lens, Projection};
+use crate::camera::Lens;
 use crate::gl::{Gl, GlError, Program, SceneTarget, VertexArray};
 use crate::layout::Rect;
 
@@ -120,15 +120,7 @@ impl EyeDome {
 
     /// Draws a pane's points, colour and depth, onto the bound target. The viewport must cover the
     /// whole target and the scissor the pane.
-    pub fn draw(
-        &self,
-        gl: &Gl,
-        points: &SceneTarget,
-        pane: Rect,
-        lens: &Lens,
-        projection: Projection,
-        finish: &Finish,
-    ) {
+    pub fn draw(&self, gl: &Gl, points: &SceneTarget, pane: Rect, lens: &Lens, finish: &Finish) {
         let program = &self.program;
         program.activate(gl);
         points.colour.bind(gl, 0);
@@ -142,9 +134,10 @@ impl EyeDome {
             pane.y + pane.height - 1,
         ];
         program.set_ivec4(gl, "bounds", bounds);
-        let distance = match projection {
-            Projection::Perspective => 0.0,
-            Projection::Orthographic => lens.reference,
+        let distance = if lens.perspective {
+            0.0
+        } else {
+            lens.reference
         };
         program.set_vec3(gl, "clip", Vec3::new(lens.near, lens.far, distance));
         program.set_vec2(gl, "lighting", Vec2::new(finish.strength, finish.radius));

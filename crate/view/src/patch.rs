@@ -255,14 +255,13 @@ impl Patches {
     }
 
     /// Draws the patches of a side, farthest first, and their lines over the points already in the
-    /// depth buffer. `towards` is the direction to the viewer where all rays are parallel.
+    /// depth buffer.
     pub fn draw(
         &mut self,
         gl: &Gl,
         lines: &Lines,
         side: Side,
         lens: &Lens,
-        towards: Option<Vec3>,
         (viewport, pixel_ratio, lift): (Vec2, f32, f32),
     ) {
         if self.pieces.is_empty() {
@@ -274,6 +273,7 @@ impl Patches {
         program.activate(gl);
         program.set_mat4(gl, "view_projection", &lens.view_projection);
         program.set_vec3(gl, "eye", lens.eye);
+        let towards = (!lens.perspective).then_some(lens.rotation * Vec3::Z);
         program.set_vec3(gl, "towards", towards.unwrap_or(Vec3::ZERO));
         program.set_f32(gl, "lift", lift);
         program.set_f32(gl, "opacity", OPACITY);

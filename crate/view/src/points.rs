@@ -26,6 +26,7 @@ uniform sampler2D colour_map;
 flat out vec4 colour;
 #ifdef TILTED
 uniform vec3 right, up, back;   // the camera's axes
+uniform vec4 eye;               // w 1 in perspective, 0 where all rays are parallel
 flat out vec3 tilt;             // depth across the disc: per half width, per half height; of a radius
 #endif
 
@@ -42,31 +43,39 @@ void main() {
     }
     gl_Position = view_projection * vec4(position, 1.0);
     gl_PointSize = clamp(diameter * scale / max(gl_Position.w, 1e-20), pixels.x, pixels.y);
-#ifdef PICK
-    uint id = uint(gl_VertexID) + 1u;
-    colour = vec4(id & 255u, (id >> 8) & 255u, (id >> 16) & 255u, id >> 24) / 255.0;
-#else
-    vec3 shown = entry.rgb;
-    if (colour_by == 1 && !isnan(scalar)) {
-        float share = clamp((scalar - range.x) / (range.y - range.x), 0.0, 1.0);
-        float steps = float(textureSize(colour_map, 0).x);
-        shown = textureLod(colour_map, vec2((share * (steps - 1.0) + 0.5) / steps, 0.5), 0.0).rgb;
-    } else if (colour_by == 2) {
-        shown = abs(normal) / max(length(normal), 1e-6);
-    }
-    if (state == 1) shown = mix(background, shown, 0.16);
+    vec3 facing = vec3(0.0, 0.0, 1.0);
 #ifdef TILTED
-    vec3 seen = vec3(dot(normal, right), dot(normal, up), dot(normal, back));
-    vec2 slope = abs(seen.z) > 1e-3 ? -seen.xy / seen.z : vec2(0.0);
+    vec3 offset = position - eye.xyz;
+    vec2 centre = vec2(dot(offset, right), dot(offset, up)) / gl_Position.w;
+    if (dot(normal, normal) > 0.1) facing = vec3(dot(normal, right), dot(normal, up), dot(normal, back));
+    // Against the ray through the point, which in perspective is not the line of sight.
+    float towards = dot(facing, vec3(-eye.w * centre, 1.0));
+    vec2 slope = abs(towards) > 1e-3 ? -facing.xy / towards : vec2(0.0);
     // Seen nearly edge on, a disc would be thinner than a pixel.
     float steepness = length(slope), limit = gl_PointSize > 4.0 ? 3.0 : 1.0;
     if (steepness > limit) slope *= limit / steepness;
     float radius = 0.5 * gl_PointSize * gl_Position.w / scale;
     vec4 nearer = view_projection * vec4(position + back * radius, 1.0);
     tilt = vec3(slope, 0.5 * (nearer.z / nearer.w - gl_Position.z / gl_Position.w));
-    // A light at the viewer. Scalars are read off their colours: those stay as they are.
-    if (colour_by == 0 && dot(seen, seen) > 0.1) shown *= 0.72 + 0.28 * abs(seen.z);
 #endif
+#ifdef PICK
+    uint id = uint(gl_VertexID) + 1u;
+    colour = vec4(id & 255u, (id >> 8) & 255u, (id >> 16) & 255u, id >> 24) / 255.0;
+#else
+    vec3 shown = entry.rgb;
+    if (colour_by == 1 && isnan(scalar)) {
+        shown = texelFetch(label_table, ivec2(0, 0), 0).rgb;
+    } else if (colour_by == 1) {
+        float share = clamp((scalar - range.x) / (range.y - range.x), 0.0, 1.0);
+        float steps = float(textureSize(colour_map, 0).x);
+        shown = textureLod(colour_map, vec2((share * (steps - 1.0) + 0.5) / steps, 0.5), 0.0).rgb;
+    } else if (colour_by == 2) {
+        shown = abs(normal) / max(length(normal), 1e-6);
+    } else {
+        // A light at the viewer. What is read off its colour stays as it is.
+        shown *= 0.72 + 0.28 * abs(facing.z);
+    }
+    if (state == 1) shown = mix(background, shown, 0.16);
     // The alpha channel tells the next pass what is highlighted.
     colour = vec4(shown, state == 3 ? 0.5 : 1.0);
 #endif
@@ -84,8 +93,10 @@ void main() {
     vec2 offset = gl_PointCoord * 2.0 - 1.0;
 #ifdef TILTED
     float nearer = dot(tilt.xy, vec2(offset.x, -offset.y));
-    if (dot(offset, offset) + nearer * nearer > 1.0) discard;
-    gl_FragDepth = gl_FragCoord.z + nearer * tilt.z;
+    // Between a circle and the ellipse that the disc really is: neighbours are not always even.
+    if (dot(offset, offset) + 0.5 * nearer * nearer > 1.0) discard;
+    // Bulged a little: of discs that overlap in one surface the one with the nearest middle wins.
+    gl_FragDepth = gl_FragCoord.z + (nearer - BULGE * dot(offset, offset)) * tilt.z;
 #else
     if (dot(offset, offset) > 1.0) discard;
 #endif
@@ -93,7 +104,8 @@ void main() {
 }
 ";
 
-const UNIFORMS: [&str; 12] = [
+const UNIFORMS: [&str; 13] = [
+    "eye",
     "view_projection",
     "scale",
     "right",
@@ -139,6 +151,7 @@ pub struct Points {
     /// Where normals are known, points are discs that lie in the surface: depth is continuous
     /// across them, so eye-dome lighting shades the shape and not the discs.
     show_tilted: Program,
+    /// Tilted too, so that the point found is the one whose middle is nearest.
     pick: Program,
     positions: Buffer,
     normals: Buffer,
@@ -204,9 +217,11 @@ impl Points {
         let positions = Buffer::vertices(gl)?;
         Ok(Self {
             show: program("#define LEAST_STATE 1\n")?,
-            show_tilted: program("#define TILTED\n#define LEAST_STATE 1\n")?,
+            show_tilted: program("#define TILTED\n#define BULGE 0.02\n#define LEAST_STATE 1\n")?,
             // What is faded lets the cursor through to what is not.
-            pick: program("#define PICK\n#define LEAST_STATE 2\n")?,
+            pick: program(
+                "#define PICK\n#define TILTED\n#define BULGE 0.3\n#define LEAST_STATE 2\n",
+            )?,
             sides: [
                 SideBuffers::new(gl, &positions)?,
                 SideBuffers::new(gl, &positions)?,
@@ -254,11 +269,6 @@ impl Points {
             &self.show
         };
         program.activate(gl);
-        if self.has_normals {
-            program.set_vec3(gl, "right", sight.lens.rotation * Vec3::X);
-            program.set_vec3(gl, "up", sight.lens.rotation * Vec3::Y);
-            program.set_vec3(gl, "back", sight.lens.rotation * Vec3::Z);
-        }
         let (mode, range) = match colour_by {
             ColourBy::Label => (0, Vec2::Y),
             ColourBy::Scalar { low, high } => {
@@ -295,6 +305,10 @@ impl Points {
             return;
         }
         program.set_i32(gl, "label_table", 0);
+        program.set_vec3(gl, "right", lens.rotation * Vec3::X);
+        program.set_vec3(gl, "up", lens.rotation * Vec3::Y);
+        program.set_vec3(gl, "back", lens.rotation * Vec3::Z);
+        program.set_vec4(gl, "eye", lens.eye.extend(f32::from(lens.perspective)));
         program.set_mat4(gl, "view_projection", &lens.view_projection);
         program.set_f32(gl, "scale", lens.scale);
         program.set_f32(gl, "diameter", scale.diameter);

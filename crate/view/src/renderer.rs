@@ -1,8 +1,7 @@
 //! Draws a scene: points into a target of their own, then onto the canvas with eye-dome lighting.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec4};
 
-use crate::camera::Projection;
 use crate::eye_dome::{EyeDome, Finish};
 use crate::gizmo;
 use crate::gl::{Export, Gl, GlError, SceneTarget};
@@ -190,19 +189,12 @@ impl Renderer {
             let visible = shot.enter(gl, pane);
             gl.viewport(0, 0, tile.width, tile.height);
             let lens = scene.lens(pane);
-            let projection = scene.camera.projection;
-            self.eye_dome
-                .draw(gl, points, visible, &lens, projection, &finish);
+            self.eye_dome.draw(gl, points, visible, &lens, &finish);
             shot.enter(gl, pane);
             let viewport = Vec2::new(pane.viewport.width as f32, pane.viewport.height as f32);
-            let towards = match projection {
-                Projection::Perspective => None,
-                Projection::Orthographic => Some(lens.rotation * Vec3::Z),
-            };
             let lift = scene.cloud.get().spacing();
             let style = (viewport, frame.pixel_ratio, lift);
-            self.patches
-                .draw(gl, &self.lines, pane.side, &lens, towards, style);
+            self.patches.draw(gl, &self.lines, pane.side, &lens, style);
         }
         gl.disable(Gl::SCISSOR_TEST);
         if display.gizmo {

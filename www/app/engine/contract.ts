@@ -8,6 +8,7 @@ export type {
   ModelInfo,
   Override,
   PartInfo,
+  PatchMesh,
   PredictionReport,
   PrimitiveInfo,
   Protocol,

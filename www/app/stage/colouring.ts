@@ -85,7 +85,8 @@ export function predictionColours(report: Report | undefined, count: number): st
   return Array.from({ length: count }, (_, place) => colours[place] ?? segmentColour(first + place));
 }
 
-function segmentColours(side: Side, { report }: Shown, count: number): string[] {
+/** Colour of every label of a side: unsegmented, then the primitives in their order. */
+export function segmentColours(side: Side, { report }: Shown, count: number): string[] {
   const own = Array.from({ length: count }, (_, place) => segmentColour(place));
   return [UNSEGMENTED, ...(side === 0 ? own : predictionColours(report, count))];
 }

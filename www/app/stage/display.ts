@@ -25,7 +25,10 @@ export const layout = computed<Layout>(() => {
 });
 
 export const eyeDome = remembered("eye-dome", "on", ["on", "off"] as const);
+/** Whether the fitted surface of the selected primitive is drawn. */
+export const surfaces = remembered("surfaces", "on", ["on", "off"] as const);
+export const surfacesShown = computed(() => surfaces.value === "on");
 export const unsegmentedShown = remembered("unsegmented", "on", ["on", "off"] as const);
 export const projection = remembered("projection", "perspective", ["perspective", "orthographic"] as const);
 /** Diameter of a point over the typical distance of neighbours. */
-export const pointSize = signal(1.7);
+export const pointSize = signal(1.6);

@@ -7,6 +7,7 @@ import { isDark, protocol } from "../state/settings";
 import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
 import { labelling, pairOf, table, type Labelling, type Shown } from "./colouring";
+import { linkSurfaces } from "./surfaces";
 import { colourMode, eyeDome, pointSize, projection, unsegmentedShown } from "./display";
 
 const SIDES = [0, 1] as const satisfies Side[];
@@ -45,6 +46,7 @@ export function link(view: PointView): () => void {
       for (const side of SIDES) view.setStates(side, states(side, shown));
     }),
   ];
+  ends.push(linkSurfaces(view));
   return () => ends.forEach((end) => end());
 }
 

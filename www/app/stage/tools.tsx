@@ -12,6 +12,7 @@ import {
   eyeDome,
   pointSize,
   projection,
+  surfaces,
   unsegmentedShown,
   type Arrangement,
 } from "./display";
@@ -86,6 +87,7 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
           </label>
           <Toggle on={unsegmentedShown} yes="on" no="off" label="Unsegmented" />
           <Toggle on={eyeDome} yes="on" no="off" label="Depth shading" />
+          <Toggle on={surfaces} yes="on" no="off" label="Fitted surface" />
           <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
         </div>
       </Popover>

@@ -284,6 +284,7 @@ export class PointView {
    * card has it.
    */
   pick(x: number, y: number): Promise<Hit | undefined> {
+    if (!this.usable) return Promise.resolve(undefined);
     return new Promise((answer) => {
       this.waiting.push({ x, y, answer });
       this.schedule();
