@@ -46,8 +46,11 @@ export function link(view: PointView): () => void {
       for (const side of SIDES) view.setStates(side, states(side, shown));
     }),
   ];
-  ends.push(linkSurfaces(view));
-  return () => ends.forEach((end) => end());
+  const unlinkSurfaces = linkSurfaces(view);
+  return () => {
+    unlinkSurfaces();
+    for (const end of ends) end();
+  };
 }
 
 function shownNow(): Shown | undefined {
