@@ -13,7 +13,7 @@ use crate::surface::{Surface, SurfaceType};
 /// thin faces, the large one says more about slightly curved surfaces.
 const SIZES: [usize; 3] = [10, 16, 28];
 /// A plane that grew to so many unexplained points needs no rival.
-const CLEAR: usize = 60;
+pub(super) const CLEAR: usize = 60;
 
 /// What a pass looks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +42,8 @@ pub fn borders(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(
     round(search, Pass::Borders, &order, 6, observer)
 }
 
-fn shuffled(search: &mut Search<'_>) -> Vec<u32> {
+/// The points in random order.
+pub(super) fn shuffled(search: &mut Search<'_>) -> Vec<u32> {
     let mut order: Vec<u32> = (0u32..).take(search.cloud.len()).collect();
     search.random.shuffle(&mut order);
     order
@@ -83,7 +84,8 @@ fn round(
 /// Failed seeds after which a round ends.
 const MOST_FAILURES: usize = 600;
 
-fn keep(search: &mut Search<'_>, candidate: Candidate, observer: &mut dyn Observer) {
+/// Accepts a candidate, and tells so.
+pub(super) fn keep(search: &mut Search<'_>, candidate: Candidate, observer: &mut dyn Observer) {
     if observer.wants_trace() {
         observer.trace(Event::Accepted {
             surface: candidate.surface,
@@ -135,12 +137,6 @@ fn hypotheses(
     candidates: &mut Vec<Candidate>,
 ) {
     let points = search.points(patch);
-    // A third suffices for a plane: the patch may hold both sheets of a thin wall and its rim.
-    let needed = if kind == SurfaceType::Plane {
-        points.len() / 3
-    } else {
-        points.len() / 2
-    };
     let mut surfaces = starts(kind, &points);
     if kind == SurfaceType::Cone {
         // A cylinder that almost fits may be a cone.
@@ -153,31 +149,49 @@ fn hypotheses(
         }
     }
     for start in surfaces {
-        let Some((surface, inliers)) = polish(&start, &points, search.scale.tolerance, needed)
-        else {
-            continue;
-        };
-        if !search.is_plausible(&surface) {
-            continue;
-        }
-        let seeds: Vec<u32> = inliers.iter().map(|&i| patch[i]).collect();
-        let known = candidates.iter().any(|c| {
-            c.surface.kind() == kind && seeds.iter().all(|i| c.support.binary_search(i).is_ok())
-        });
-        if known || search.is_known(kind, &seeds) {
-            continue;
-        }
-        if let Some(candidate) = search.grow(&surface, &seeds)
-            && is_worth_keeping(search, pass, &candidate)
-        {
-            candidates.push(candidate);
-        }
+        grow_start(search, pass, &start, patch, candidates);
+    }
+}
+
+/// Polishes a surface on the points of a patch, grows it, and adds it if it is worth keeping.
+pub(super) fn grow_start(
+    search: &mut Search<'_>,
+    pass: Pass,
+    start: &Surface,
+    patch: &[u32],
+    candidates: &mut Vec<Candidate>,
+) {
+    let kind = start.kind();
+    let points = search.points(patch);
+    // A third suffices for a plane: the patch may hold both sheets of a thin wall and its rim.
+    let needed = if kind == SurfaceType::Plane {
+        points.len() / 3
+    } else {
+        points.len() / 2
+    };
+    let Some((surface, inliers)) = polish(start, &points, search.scale.tolerance, needed) else {
+        return;
+    };
+    if !search.is_plausible(&surface) {
+        return;
+    }
+    let seeds: Vec<u32> = inliers.iter().map(|&i| patch[i]).collect();
+    let known = candidates.iter().any(|c| {
+        c.surface.kind() == kind && seeds.iter().all(|i| c.support.binary_search(i).is_ok())
+    });
+    if known || search.is_known(kind, &seeds) {
+        return;
+    }
+    if let Some(candidate) = search.grow(&surface, &seeds)
+        && is_worth_keeping(search, pass, &candidate)
+    {
+        candidates.push(candidate);
     }
 }
 
 /// Whether a candidate explains enough that nothing else does, is a face rather than a curve, and
 /// ends sharply.
-fn is_worth_keeping(search: &mut Search<'_>, pass: Pass, candidate: &Candidate) -> bool {
+pub(super) fn is_worth_keeping(search: &mut Search<'_>, pass: Pass, candidate: &Candidate) -> bool {
     let smallest = Parameters::count(search.parameters.smallest);
     let redundant = least_squares::degrees_of_freedom(candidate.surface.kind()) + 3;
     let own = search.own(candidate);

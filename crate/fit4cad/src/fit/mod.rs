@@ -12,6 +12,7 @@
 //! ```
 
 pub mod detect;
+pub mod growing;
 pub mod hough;
 pub mod least_squares;
 pub mod local;
@@ -91,7 +92,7 @@ pub fn fit(
     }
     match method {
         Method::Hough => hough::find(&mut search, observer)?,
-        Method::Growing => detect::faces(&mut search, observer)?,
+        Method::Growing => growing::find(&mut search, observer)?,
     }
     detect::borders(&mut search, observer)?;
     let segmentation = stages::finish(&search, observer)?;
