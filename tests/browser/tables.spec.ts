@@ -1,5 +1,5 @@
 import { expect, open, picture, row, rows, test } from "./support/test";
-import { filesOf } from "./support/engine";
+import { filesOf, scoreOf } from "./support/engine";
 import { drop, writeAll } from "./support/drop";
 
 test("the summary sorts by a measure, both ways and back", async ({ page }) => {
@@ -107,4 +107,38 @@ test("a second submission of the same model is scored beside the first", async (
   await expect(row(page, "PC9")).toHaveCount(2);
   await row(page, "PC9").filter({ hasText: "Mine" }).getByRole("rowheader").getByRole("button").click();
   await expect(page.locator(".side-name.prediction")).toHaveText("Mine");
+});
+
+test("the paper's layout sets the methods beside each other, with the means at the foot", async ({ page }) => {
+  const folder = test.info().outputPath("paper");
+  const parts = ["bracket", "flange"] as const;
+  const models = parts.map((part, at) => filesOf(part, `PC${at + 1}`));
+  for (const files of models) {
+    const copy = files
+      .filter(({ path }) => path.startsWith("pointCloud_primitives/"))
+      .map(({ path, text }) => ({ path: path.replace("primitives/", "primitives_Copy/"), text }));
+    await writeAll(folder, [...files, ...copy]);
+  }
+  await open(page);
+  await drop(page, [folder]);
+  await expect(rows(page)).toHaveCount(4);
+  const foot = page.locator("table.scores tfoot tr");
+  await expect(foot).toHaveCount(2);
+  const mean = models.reduce((sum, files) => sum + (scoreOf(files).mean.DSC ?? NaN), 0) / models.length;
+  await expect(foot.filter({ hasText: "Imperfect" })).toContainText(mean.toFixed(4));
+  await expect(foot.filter({ hasText: "Copy" })).toContainText("1.0000");
+  await page.getByRole("radio", { name: "As in the paper" }).check({ force: true });
+  const paper = page.locator("table.paper");
+  await expect(paper.locator("tbody tr")).toHaveCount(2);
+  await expect(paper.locator("tfoot")).toContainText(mean.toFixed(4));
+  await picture(page, "paper-layout");
+});
+
+test("what the measures overlook is told, and leads to the primitives", async ({ page }) => {
+  await open(page);
+  await page.getByRole("tab", { name: "Overlooked" }).click();
+  const merged = page.locator(".overlooked section").filter({ hasText: "Merged" }).getByRole("button").first();
+  await merged.click();
+  await expect(merged).toHaveAttribute("aria-pressed", "true");
+  await picture(page, "overlooked");
 });

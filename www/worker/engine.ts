@@ -1,7 +1,7 @@
 // The engine in a worker. One call, one answer; the model read last is kept in case it is wanted again.
 
 import * as Comlink from "comlink";
-import init, { Model, group, parts, version } from "../generated/engine/engine.js";
+import init, { Model, distribution, group, parts, version } from "../generated/engine/engine.js";
 import type { EngineWorker, ModelFile, ModelSource, SegmentationScene, WrittenFiles } from "./protocol";
 
 const ready = init();
@@ -69,6 +69,11 @@ const worker: EngineWorker = {
   async parts() {
     await ready;
     return parts();
+  },
+
+  async distributions(lists) {
+    await ready;
+    return lists.map((values) => distribution(values));
   },
 
   async generate(part, options): Promise<WrittenFiles> {

@@ -3,7 +3,18 @@
 // Every call is self-contained: it carries the files it needs, so any worker of the pool can
 // answer it and ending a worker loses nothing but the call under way.
 
-import type { SampleOptions, Grouping, ModelInfo, Override, PartInfo, PatchMesh, PrimitiveInfo, Report, Role } from "../app/engine/contract";
+import type {
+  Distribution,
+  Grouping,
+  ModelInfo,
+  Override,
+  PartInfo,
+  PatchMesh,
+  PrimitiveInfo,
+  Report,
+  Role,
+  SampleOptions,
+} from "../app/engine/contract";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
@@ -75,4 +86,6 @@ export interface EngineWorker {
   normals(source: ModelSource): Promise<Float32Array<ArrayBuffer>>;
   /** The patch of a primitive's surface that its points cover; of the truth where no method is given. */
   patch(source: ModelSource, place: number, method: string | undefined): Promise<PatchMesh | undefined>;
+  /** How each list of values is spread; NaN is left out, a list of nothing else gives nothing. */
+  distributions(lists: readonly Float64Array[]): Promise<(Distribution | undefined)[]>;
 }

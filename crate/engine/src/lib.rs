@@ -16,6 +16,7 @@ mod part;
 mod primitive;
 mod report;
 mod stop;
+mod summary;
 
 pub use diagnostic::{DiagnosticInfo, Severity};
 pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
@@ -29,6 +30,7 @@ pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{
     Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
+pub use summary::{Distribution, distribution};
 
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;

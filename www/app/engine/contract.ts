@@ -4,6 +4,7 @@ import type { Measures } from "../../generated/engine/engine.js";
 
 export type {
   DiagnosticInfo as Diagnostic,
+  Distribution,
   Grouping,
   ModelInfo,
   Override,

@@ -22,6 +22,11 @@ export const CLASSIFICATION_MEASURES = ["DSC", "PPV", "TPR", "TNR", "NPV", "ACC"
 export const ACCURACY_MEASURES = ["MFE", "dHaus", "d1"] as const satisfies Measure[];
 export const MEASURES: readonly Measure[] = [...CLASSIFICATION_MEASURES, ...ACCURACY_MEASURES];
 
+/** Whether a measure is a share of 1. */
+export function isShare(measure: Measure): boolean {
+  return (CLASSIFICATION_MEASURES as readonly Measure[]).includes(measure);
+}
+
 function Formula({ left, children }: { left: ComponentChildren; children: ComponentChildren }) {
   return (
     <math display="block">
@@ -53,11 +58,11 @@ function Ratio({ name, over, under }: { name: string; over: string[]; under: str
 const distanceToSurface = (
   <mrow>
     <mi>d</mi>
-    <mo>(</mo>
+    <mo stretchy={false}>(</mo>
     <mi>x</mi>
     <mo>,</mo>
     <mi>𝒮</mi>
-    <mo>)</mo>
+    <mo stretchy={false}>)</mo>
   </mrow>
 );
 const predictedSet = (

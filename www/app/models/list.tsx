@@ -7,6 +7,7 @@ import { taking } from "../intake/intake";
 import type { Measure } from "../engine/contract";
 import { MEASURES } from "../measures/measures";
 import { models, type ModelEntry } from "../state/models";
+import { resumeScoring } from "../state/scoring";
 import { protocol } from "../state/settings";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import * as format from "../ui/format";
@@ -54,6 +55,7 @@ export function focusSearch(): void {
 export function ModelList(): JSX.Element {
   const shown = listed.value;
   const total = models.value.length;
+  const stopped = models.value.filter(({ status }) => status.kind === "stopped").length;
   const counted = shown.length === total ? format.plural(total, "model") : `${shown.length} of ${total} models`;
   return (
     <aside class="models" aria-label="Models">
@@ -83,8 +85,13 @@ export function ModelList(): JSX.Element {
           </select>
         </label>
       </div>
-      <p class="count" aria-live="polite">
-        {counted}
+      <p class="count">
+        <span aria-live="polite">{counted}</span>
+        {stopped > 0 && (
+          <button type="button" class="link" onClick={resumeScoring}>
+            Score {format.integer(stopped)} stopped
+          </button>
+        )}
       </p>
       {total === 0 ? (
         <Empty />

@@ -3,9 +3,9 @@
 
 import type { JSX } from "preact";
 import { computed, signal } from "@preact/signals";
-import type { Measure, PredictionReport, TruthReport } from "../engine/contract";
+import type { PredictionReport, TruthReport } from "../engine/contract";
 import { ExplainButton } from "../measures/explain";
-import { ACCURACY_MEASURES, CLASSIFICATION_MEASURES, MEASURES } from "../measures/measures";
+import { ACCURACY_MEASURES, isShare, MEASURES } from "../measures/measures";
 import { predictionColours } from "../stage/colouring";
 import {
   hoveredPrimitive,
@@ -57,8 +57,6 @@ const spurious = computed<readonly SpuriousRow[]>(() => {
 
 const sorting = signal<Sorting | undefined>(undefined);
 const spuriousSorting = signal<Sorting | undefined>(undefined);
-
-const isShare = (measure: Measure) => (CLASSIFICATION_MEASURES as readonly Measure[]).includes(measure);
 
 const COLUMNS: readonly Column<TruthRow>[] = [
   {

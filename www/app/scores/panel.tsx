@@ -1,101 +1,42 @@
-// One row per model and method with every measure.
+// The summary: every measure of every submission.
 
 import type { JSX } from "preact";
-import { signal } from "@preact/signals";
-import type { Measure } from "../engine/contract";
-import { ExplainButton } from "../measures/explain";
-import { CLASSIFICATION_MEASURES, MEASURES } from "../measures/measures";
-import { models, scoredRows, type ScoredRow } from "../state/models";
-import { selectedMethod, selectedModel, selectModel } from "../state/selection";
-import { protocol } from "../state/settings";
+import { methods, models, scoredRows } from "../state/models";
+import { protocol, remembered } from "../state/settings";
 import * as format from "../ui/format";
-import { Table, type Column, type Sorting } from "../ui/table";
+import { PaperTable } from "./paper";
+import { SubmissionTable } from "./submissions";
 
-const sorting = signal<Sorting | undefined>(undefined);
+const LAYOUTS = [
+  { id: "submissions", title: "One row per submission" },
+  { id: "paper", title: "As in the paper" },
+] as const;
 
-function report({ reports }: ScoredRow) {
-  return reports[protocol.value];
-}
-
-const isShare = (measure: Measure) => (CLASSIFICATION_MEASURES as readonly Measure[]).includes(measure);
-
-const COLUMNS: readonly Column<ScoredRow>[] = [
-  { id: "model", head: "Model", label: "model", cell: ({ entry }) => entry.id, sortBy: ({ entry }) => entry.id },
-  {
-    id: "method",
-    head: "Method",
-    label: "method",
-    cell: ({ reports }) => reports.method,
-    sortBy: ({ reports }) => reports.method,
-  },
-  {
-    id: "points",
-    head: "Points",
-    label: "points",
-    numeric: true,
-    cell: (row) => format.integer(report(row).points),
-    sortBy: (row) => report(row).points,
-  },
-  {
-    id: "truth",
-    head: "True",
-    label: "true primitives",
-    numeric: true,
-    cell: (row) => report(row).truth,
-    sortBy: (row) => report(row).truth,
-  },
-  {
-    id: "predicted",
-    head: "Pred.",
-    label: "predicted primitives",
-    numeric: true,
-    cell: (row) => report(row).predicted,
-    sortBy: (row) => report(row).predicted,
-  },
-  ...MEASURES.map(
-    (measure): Column<ScoredRow> => ({
-      id: measure,
-      head: measure,
-      aside: <ExplainButton measure={measure} />,
-      label: measure,
-      numeric: true,
-      cell: (row) => format.measure(measure, report(row).mean[measure]),
-      sortBy: (row) => report(row).mean[measure],
-      title: (row) => report(row).mean[measure]?.toString(),
-      ...(isShare(measure) ? { share: (row: ScoredRow) => report(row).mean[measure] } : {}),
-    }),
-  ),
-  {
-    id: "types",
-    head: "Type err.",
-    label: "type errors",
-    numeric: true,
-    cell: (row) => report(row).type_errors,
-    sortBy: (row) => report(row).type_errors,
-    title: () => "Predicted primitives whose type differs from that of their most overlapping true one",
-  },
-];
+const layout = remembered("table", "submissions", LAYOUTS.map(({ id }) => id));
 
 export default function ScoresPanel(): JSX.Element {
   const rows = scoredRows.value;
   if (rows.length === 0) return <NothingScored />;
-  const published = protocol.value === "published";
+  const rules = protocol.value === "published" ? "as the published tables were made" : "by definition";
+  const caption = `Means over primitives, ${rules}`;
   return (
-    <Table
-      className="scores"
-      caption={
-        <>
-          Means over primitives, {published ? "as the published tables were made" : "by definition"}.{" "}
-          {format.plural(rows.length, "row")}.
-        </>
-      }
-      columns={COLUMNS}
-      rows={rows}
-      keyOf={({ key }) => key}
-      sorting={sorting}
-      isSelected={({ entry, reports }) => entry.id === selectedModel.value && reports.method === selectedMethod.value}
-      onSelect={({ entry, reports }) => selectModel(entry.id, reports.method)}
-    />
+    <>
+      <div class="panel-tools">
+        <p>
+          {format.plural(rows.length, "submission")} of {format.plural(methods.value.length, "method")}
+        </p>
+        <fieldset class="switch">
+          <legend class="visually-hidden">Layout of the table</legend>
+          {LAYOUTS.map(({ id, title }) => (
+            <label key={id}>
+              <input type="radio" name="table-layout" checked={layout.value === id} onChange={() => (layout.value = id)} />
+              <span>{title}</span>
+            </label>
+          ))}
+        </fieldset>
+      </div>
+      {layout.value === "paper" ? <PaperTable caption={caption} /> : <SubmissionTable caption={caption} />}
+    </>
   );
 }
 

@@ -20,6 +20,7 @@ export const PAGES: readonly PageDefinition[] = [
 export const PANELS: readonly PanelDefinition[] = [
   { id: "measures", title: "Measures", load: () => import("../scores/panel") },
   { id: "primitives", title: "Primitives", load: () => import("../primitives/panel") },
+  { id: "overlooked", title: "Overlooked", load: () => import("../overlooked/panel") },
   { id: "diagnostics", title: "Diagnostics", badge: diagnosticsBadge, load: () => import("../diagnostics/panel") },
   { id: "files", title: "Files", load: () => import("../files/panel") },
 ];

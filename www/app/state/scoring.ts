@@ -3,7 +3,7 @@
 import { batch, signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import { selectedModel } from "./selection";
-import { setStatus, type ModelEntry } from "./models";
+import { models, setStatus, type ModelEntry } from "./models";
 
 export interface Progress {
   readonly done: number;
@@ -34,6 +34,14 @@ export function scoreAll(entries: readonly ModelEntry[]): void {
 export function cancelScoring(): void {
   controller.abort(new DOMException("Stopped by the reader.", "AbortError"));
   controller = new AbortController();
+}
+
+/** Scores what had been stopped. */
+export function resumeScoring(): void {
+  models.value = models.value.map((entry) =>
+    entry.status.kind === "stopped" ? { ...entry, status: { kind: "waiting" } } : entry,
+  );
+  scoreAll(models.value.filter(({ status }) => status.kind === "waiting"));
 }
 
 async function score(entry: ModelEntry, signal: AbortSignal): Promise<void> {

@@ -33,3 +33,8 @@ export function bytes(count: number): string {
   if (count < 1_000_000) return `${(count / 1000).toFixed(1)} kB`;
   return `${(count / 1_000_000).toFixed(1)} MB`;
 }
+
+/** A share of 1 in per cent. */
+export function share(value: number | null): string {
+  return value === null ? MISSING : `${(100 * value).toFixed(1)} %`;
+}
