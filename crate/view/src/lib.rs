@@ -340,8 +340,9 @@ impl View {
 
     // Drawing.
 
-    /// Draws a frame at a time in milliseconds. Returns whether another one is needed.
-    pub fn draw(&mut self, now: f64) -> Result<bool, JsValue> {
+    /// Draws a frame at a time in milliseconds that was asked for so many milliseconds ago. Returns
+    /// whether another one is needed.
+    pub fn draw(&mut self, now: f64, waited: f64) -> Result<bool, JsValue> {
         if let Some(flight) = &mut self.flight {
             let (camera, over) = flight.at(now);
             self.scene.camera = camera;
@@ -352,7 +353,7 @@ impl View {
         let moved = self.drawn.is_some_and(|drawn| drawn != self.scene.camera);
         let panes = self.scene.panes(&self.frame).iter().count();
         let total = self.scene.cloud.get().len() * panes;
-        let (count, moving) = self.motion.frame(now, moved, total);
+        let (count, moving) = self.motion.frame(now, waited, moved, total);
         if let Some(renderer) = &mut self.renderer {
             renderer.draw(&self.gl, &self.scene, &self.frame, count / panes.max(1))?;
         }

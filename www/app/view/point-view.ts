@@ -43,6 +43,8 @@ export class PointView {
   /** Device pixels for one of the page's. */
   private ratio = 1;
   private request = 0;
+  /** When the frame under way was asked for. */
+  private asked = 0;
   private usable = true;
   private layout: Layout = { kind: "split" };
   private told = "";
@@ -364,6 +366,7 @@ export class PointView {
 
   private schedule(): void {
     if (this.request === 0 && !this.stop.signal.aborted) {
+      this.asked = performance.now();
       this.request = requestAnimationFrame((now) => this.step(now));
     }
   }
@@ -373,7 +376,7 @@ export class PointView {
     if (!this.usable) return;
     this.proceedPicking();
     if (this.stale) {
-      this.stale = this.view.draw(now);
+      this.stale = this.view.draw(now, performance.now() - this.asked);
       if (!this.stale) this.tellCamera();
     }
     if (this.stale || this.picking || this.cursor || this.waiting.length > 0) this.schedule();
@@ -450,7 +453,7 @@ export class PointView {
     canvas.height = height;
     this.view.resize(width, height, this.ratio);
     // Setting the size empties the canvas: draw before it is shown.
-    if (this.usable) this.stale = this.view.draw(performance.now());
+    if (this.usable) this.stale = this.view.draw(performance.now(), 0);
     if (this.stale) this.schedule();
   }
 
