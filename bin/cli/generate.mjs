@@ -1,7 +1,7 @@
 // `fit4cad generate`.
 
 import { mkdirSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { loadEngine } from "./engine.mjs";
 import { reason } from "./inputs.mjs";
 import { print, warn } from "./terminal.mjs";
@@ -14,6 +14,7 @@ const OPTIONS = {
   noise: { type: "string" },
   outliers: { type: "string" },
   missing: { type: "string" },
+  imperfect: { type: "boolean", default: false },
   out: { type: "string", default: "." },
 };
 
@@ -43,7 +44,7 @@ export async function generate(args) {
   if (!parts.some(({ name }) => name === part)) {
     throw new UsageError(`there is no part "${part}"; --list shows what there is`);
   }
-  return write(make(engine, part, options), values.out);
+  return write(make(engine, part, options, values.imperfect), values.out);
 }
 
 async function list(parts) {
@@ -51,7 +52,7 @@ async function list(parts) {
   await print(parts.map(({ name, description }) => `${name.padEnd(width)}  ${description}\n`).join(""));
 }
 
-function make(engine, part, options) {
+function make(engine, part, options, imperfect) {
   const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
   let model;
   try {
@@ -61,23 +62,32 @@ function make(engine, part, options) {
     throw new UsageError(error.message);
   }
   try {
-    return { name: model.info().name, texts: model.write() };
+    const { name } = model.info();
+    const truth = model.write();
+    const files = { [`${name}.txt`]: truth.cloud, ...segmentation(truth, name) };
+    if (!imperfect) {
+      return files;
+    }
+    const method = model.imperfect(options.seed ?? 1);
+    return { ...files, ...segmentation(model.write(method), join(method, name)) };
   } finally {
     model.free();
   }
 }
 
-async function write({ name, texts }, folder) {
-  const files = {
-    [`${name}.txt`]: texts.cloud,
-    [`${name}_primitives.txt`]: texts.primitives,
-    [`${name}_parametric.txt`]: texts.parametric,
-    [`${name}_implicit.txt`]: texts.implicit,
+function segmentation({ primitives, parametric, implicit }, name) {
+  return {
+    [`${name}_primitives.txt`]: primitives,
+    [`${name}_parametric.txt`]: parametric,
+    [`${name}_implicit.txt`]: implicit,
   };
+}
+
+async function write(files, folder) {
   try {
-    mkdirSync(folder, { recursive: true });
     for (const [file, text] of Object.entries(files)) {
       const path = join(folder, file);
+      mkdirSync(dirname(path), { recursive: true });
       writeFileSync(path, text);
       await print(`${path}\n`);
     }

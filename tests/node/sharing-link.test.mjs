@@ -6,7 +6,8 @@ import { MEASURES } from "../../bin/formats/measures.mjs";
 import { pageModule } from "./page.mjs";
 import { generator } from "./random.mjs";
 
-const { MAX_FRAGMENT, isShared, readFragment, writeFragment } = await pageModule("sharing/codec/link.ts");
+const { isShared } = await pageModule("sharing/fragment.ts");
+const { MAX_FRAGMENT, readFragment, writeFragment } = await pageModule("sharing/codec/link.ts");
 const { crc32 } = await pageModule("sharing/codec/crc32.ts");
 const { toBase64Url } = await pageModule("sharing/codec/base64url.ts");
 const { write } = await pageModule("sharing/codec/version1.ts");

@@ -2,12 +2,23 @@ import { render } from "preact";
 import { listen } from "./keyboard/shortcuts";
 import { KEYS } from "./keyboard/keys";
 import { openFirstSample } from "./samples/samples";
+import { heedAddress, openAddress } from "./sharing/share";
 import { App } from "./shell/app";
+import { Lazy } from "./ui/lazy";
 import "../styles/index.css";
+
+const embedded = new URLSearchParams(location.search).has("embed");
+const loadEmbed = () => import("./shell/embed");
 
 const root = document.getElementById("app");
 if (root) {
-  render(<App />, root);
-  listen(KEYS);
-  void openFirstSample();
+  heedAddress();
+  if (embedded) {
+    render(<Lazy load={loadEmbed} title="the results" />, root);
+    void openAddress();
+  } else {
+    render(<App />, root);
+    listen(KEYS);
+    void openAddress().then((found) => (found ? undefined : openFirstSample()));
+  }
 }

@@ -123,6 +123,26 @@ const worker: EngineWorker = {
   async patch(source, place, method) {
     return (await read(source)).patch(place, method);
   },
+
+  async write(source, method) {
+    const model = await read(source);
+    return written(model, source.name, method);
+  },
+
+  async hash(contents) {
+    const hashes: (string | null)[] = [];
+    // One after the other: together they would all be in memory at once.
+    for (const content of contents) hashes.push(await sha256(content));
+    return hashes;
+  },
 };
+
+async function sha256(content: Blob): Promise<string | null> {
+  // Absent where the page is not a secure context, whatever the types say.
+  const subtle = crypto.subtle as SubtleCrypto | undefined;
+  if (!subtle) return null;
+  const digest = await subtle.digest("SHA-256", await content.arrayBuffer());
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
 
 Comlink.expose(worker);

@@ -88,4 +88,8 @@ export interface EngineWorker {
   patch(source: ModelSource, place: number, method: string | undefined): Promise<PatchMesh | undefined>;
   /** How each list of values is spread; NaN is left out, a list of nothing else gives nothing. */
   distributions(lists: readonly Float64Array[]): Promise<(Distribution | undefined)[]>;
+  /** The three files of a submission, as the engine writes them. */
+  write(source: ModelSource, method: string): Promise<ModelFile[]>;
+  /** SHA-256 of each in hexadecimal digits; null on a page that came over an unsafe connection. */
+  hash(contents: readonly Blob[]): Promise<(string | null)[]>;
 }

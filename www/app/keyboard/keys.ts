@@ -4,6 +4,7 @@ import { adding } from "../intake/add-dialog";
 import { focusSearch } from "../models/list";
 import { toggleProtocol } from "../measures/protocol-switch";
 import { nextTheme } from "../shell/header";
+import { sharing } from "../sharing/share";
 import { shownPanel } from "../shell/panels";
 import { PANELS } from "../shell/registry";
 import { modelById, models } from "../state/models";
@@ -34,6 +35,7 @@ export const KEYS: readonly ShortcutGroup[] = [
     shortcuts: [
       { key: "?", what: "Show these keys", run: () => (keysShown.value = true) },
       { key: "o", shown: "O", what: "Add data", run: () => (adding.value = true) },
+      { key: "s", shown: "S", what: "Share and export", run: () => (sharing.value = true) },
       { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
       { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
       { key: "x", shown: "X", what: "Stop scoring", run: cancelScoring },

@@ -7,6 +7,8 @@ import { DropZone } from "../intake/dropzone";
 import { KEYS } from "../keyboard/keys";
 import { KeySheet } from "../keyboard/sheet";
 import { ProtocolDialog } from "../measures/protocol-dialog";
+import { SharedBanner } from "../sharing/banner";
+import { ShareDialog } from "../sharing/dialog";
 import { Lazy } from "../ui/lazy";
 import { Header } from "./header";
 import { PAGES } from "./registry";
@@ -21,6 +23,7 @@ export function App(): JSX.Element {
         Skip to content
       </a>
       <Header />
+      <SharedBanner />
       <main id="content" tabIndex={-1}>
         {current ? (
           <Lazy key={current.id} load={current.load} title={current.title} />
@@ -31,6 +34,7 @@ export function App(): JSX.Element {
       <StatusBar />
       <DropZone />
       <AddDialog />
+      <ShareDialog />
       <ProtocolDialog />
       <KeySheet groups={KEYS} />
       <ExplainPopover />

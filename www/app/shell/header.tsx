@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import { adding } from "../intake/add-dialog";
 import { keysShown } from "../keyboard/sheet";
 import { ProtocolSwitch } from "../measures/protocol-switch";
+import { sharing } from "../sharing/share";
 import { theme, type Theme } from "../state/settings";
 import { Icon, type IconName } from "../ui/icon";
 import { PAGES } from "./registry";
@@ -37,6 +38,10 @@ export function Header(): JSX.Element {
         <button type="button" class="primary" onClick={() => (adding.value = true)}>
           <Icon name="add" />
           Add data
+        </button>
+        <button type="button" onClick={() => (sharing.value = true)}>
+          <Icon name="share" />
+          Share
         </button>
         <ProtocolSwitch />
       </div>

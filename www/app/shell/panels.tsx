@@ -10,14 +10,15 @@ export const shownPanel = signal("measures");
 
 export function Panels(): JSX.Element {
   const tabs = useRef<HTMLDivElement>(null);
-  const shown = PANELS.find(({ id }) => id === shownPanel.value) ?? PANELS[0];
+  const offered = PANELS.filter((panel) => panel.offered?.() ?? true);
+  const shown = offered.find(({ id }) => id === shownPanel.value) ?? offered[0];
 
   const walk = (event: KeyboardEvent) => {
-    const at = PANELS.findIndex(({ id }) => id === shown?.id);
-    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: PANELS.length - 1 }[event.key];
+    const at = offered.findIndex(({ id }) => id === shown?.id);
+    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: offered.length - 1 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
-    const next = PANELS[(to + PANELS.length) % PANELS.length];
+    const next = offered[(to + offered.length) % offered.length];
     if (!next) return;
     shownPanel.value = next.id;
     tabs.current?.querySelector<HTMLElement>(`#tab-${next.id}`)?.focus();
@@ -26,7 +27,7 @@ export function Panels(): JSX.Element {
   return (
     <section class="panels" aria-label="Results">
       <div class="tabs" role="tablist" aria-label="Panels" ref={tabs} onKeyDown={walk}>
-        {PANELS.map(({ id, title, badge }) => (
+        {offered.map(({ id, title, badge }) => (
           <button
             key={id}
             type="button"

@@ -4,12 +4,16 @@ import type { ComponentChildren } from "preact";
 import type { Load } from "../ui/lazy";
 import { HOME, type PageDefinition } from "./router";
 import { diagnosticsBadge } from "../diagnostics/badge";
+import { sharedBadge } from "../sharing/badge";
+import { isLinkOpen, SHARED_PANEL } from "../sharing/opened";
 
 export interface PanelDefinition {
   readonly id: string;
   readonly title: string;
   /** A figure or mark beside the title; may read signals. */
   readonly badge?: () => ComponentChildren;
+  /** Whether there is anything to show just now; may read signals. */
+  readonly offered?: () => boolean;
   readonly load: Load;
 }
 
@@ -22,5 +26,7 @@ export const PANELS: readonly PanelDefinition[] = [
   { id: "primitives", title: "Primitives", load: () => import("../primitives/panel") },
   { id: "overlooked", title: "Overlooked", load: () => import("../overlooked/panel") },
   { id: "diagnostics", title: "Diagnostics", badge: diagnosticsBadge, load: () => import("../diagnostics/panel") },
+  { id: "comparison", title: "Comparison", load: () => import("../comparison/panel") },
   { id: "files", title: "Files", load: () => import("../files/panel") },
+  { id: SHARED_PANEL, title: "Shared", offered: isLinkOpen, badge: sharedBadge, load: () => import("../sharing/panel") },
 ];

@@ -5,10 +5,17 @@ import { remembered } from "../state/settings";
 import type { Layout } from "../view/types";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 
-export type Arrangement = "split" | "truth" | "prediction" | "wipe";
+export const ARRANGEMENTS = [
+  { id: "split", title: "Side by side" },
+  { id: "wipe", title: "Wipe" },
+  { id: "truth", title: "Truth only" },
+  { id: "prediction", title: "Prediction only" },
+] as const;
+
+export type Arrangement = (typeof ARRANGEMENTS)[number]["id"];
 
 export const colourMode = signal<ColourMode>(COLOUR_MODES[0].id);
-export const arrangement = remembered<Arrangement>("arrangement", "split", ["split", "truth", "prediction", "wipe"]);
+export const arrangement = remembered<Arrangement>("arrangement", "split", ARRANGEMENTS.map(({ id }) => id));
 /** Place of the wipe's border, 0 left to 1 right. */
 export const wipeAt = signal(0.5);
 export const layout = computed<Layout>(() => {

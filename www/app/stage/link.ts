@@ -1,6 +1,7 @@
 // Keeps a view in step with the page's state: what is shown, how it is coloured, what stands out.
 
 import { effect } from "@preact/signals";
+import { modelById } from "../state/models";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedPrimitive, selectedReports, type PrimitiveRef } from "../state/selection";
 import { isDark, protocol } from "../state/settings";
@@ -8,6 +9,7 @@ import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
 import { labelling, pairOf, table, type Labelling, type Shown } from "./colouring";
 import { linkSurfaces } from "./surfaces";
+import { awaitedCamera, restingCamera } from "./camera";
 import { colourMode, eyeDome, pointSize, projection, unsegmentedShown } from "./display";
 
 const SIDES = [0, 1] as const satisfies Side[];
@@ -20,6 +22,7 @@ const DARK = { background: "#14181c", ink: "#ffffff" };
 export function link(view: PointView): () => void {
   let cloud: Float32Array | undefined;
   const ends = [
+    view.on("camera", (state) => (restingCamera.value = state)),
     effect(() => {
       const figure = colourMode.value === "figure";
       view.setTheme(isDark() && !figure ? DARK : PAPER);
@@ -35,6 +38,11 @@ export function link(view: PointView): () => void {
         const before = cloud;
         cloud = state.scene.positions;
         if (!before || !sameNumbers(before, cloud)) view.setCloud(cloud);
+      }
+      const awaited = awaitedCamera.value;
+      if (awaited && modelById(awaited.model)?.source.key === state.scene.key) {
+        view.setCamera(awaited.state);
+        awaitedCamera.value = undefined;
       }
       const shown = shownNow();
       if (!shown) return;

@@ -8,6 +8,7 @@ import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 import {
   arrangement,
+  ARRANGEMENTS,
   colourMode,
   eyeDome,
   pointSize,
@@ -16,13 +17,6 @@ import {
   unsegmentedShown,
   type Arrangement,
 } from "./display";
-
-const ARRANGEMENTS: readonly { id: Arrangement; title: string }[] = [
-  { id: "split", title: "Side by side" },
-  { id: "wipe", title: "Wipe" },
-  { id: "truth", title: "Truth only" },
-  { id: "prediction", title: "Prediction only" },
-];
 
 export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
   return (

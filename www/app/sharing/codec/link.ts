@@ -1,7 +1,8 @@
-// The fragment of an address that holds results: `#share=1.…`, version, then checksum, length and
-// the deflated content in base64url. Browsers never send a fragment to the server.
+// The fragment that holds results: `#share=1.…`, the version, then checksum, length and the deflated
+// content in base64url.
 
 import { deflateSync, inflateSync } from "fflate";
+import { bare, MARK } from "../fragment";
 import type { SharedResults } from "../shared";
 import { fromBase64Url, toBase64Url } from "./base64url";
 import { ByteReader, ByteWriter, Damaged } from "./bytes";
@@ -16,13 +17,7 @@ export const MAX_FRAGMENT = 32_768;
 /** What the content of a link may unpack to. */
 const MAX_CONTENT_BYTES = 131_072;
 
-const MARK = "share=";
 const CRC_BYTES = 4;
-
-/** Whether a fragment (with or without `#`) is meant to hold results. */
-export function isShared(fragment: string): boolean {
-  return bare(fragment).startsWith(MARK);
-}
 
 /** The fragment, with its `#`. Throws a `RangeError` where there is more than a link can hold. */
 export function writeFragment(results: SharedResults): string {
@@ -69,8 +64,4 @@ function unpack(framed: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
   const content = inflateSync(from.raw(from.left), { out: new Uint8Array(length + 1) });
   if (content.length !== length) throw new Damaged("its length is not the one it names");
   return content.slice();
-}
-
-function bare(fragment: string): string {
-  return fragment.startsWith("#") ? fragment.slice(1) : fragment;
 }

@@ -1,0 +1,171 @@
+// A method against the paper's two, model by model and in the mean.
+
+import type { JSX } from "preact";
+import { computed, signal } from "@preact/signals";
+import type { Measure, Report } from "../engine/contract";
+import { ExplainButton } from "../measures/explain";
+import { MEASURE_TEXT, MEASURES } from "../measures/measures";
+import { methods, scoredRows, type ModelEntry } from "../state/models";
+import { selectedModel, selectModel } from "../state/selection";
+import { protocol } from "../state/settings";
+import * as format from "../ui/format";
+import { Table, type Column } from "../ui/table";
+import { difference, means, tally, type Pair } from "./compare";
+import { DifferenceMark } from "./difference";
+import { matchOf, type Match, type Said } from "./match";
+import { PUBLISHED_METHODS, published, TEST_MODELS, type PublishedMethod } from "./published";
+import { Which } from "./which";
+
+const chosenOwn = signal<string | undefined>(undefined);
+const theirMethod = signal<PublishedMethod>("HT");
+/** What the reader says a model is, by its name on the page. */
+const said = signal<Readonly<Record<string, Said>>>({});
+
+/** The chosen method, else the first that is not one of the published ones, else the first. */
+const ownMethod = computed(() => {
+  const names = methods.value;
+  const isPublished = (name: string) => (PUBLISHED_METHODS as readonly string[]).includes(name);
+  return (
+    names.find((name) => name === chosenOwn.value) ?? names.find((name) => !isPublished(name)) ?? names[0]
+  );
+});
+
+export interface Candidate {
+  readonly entry: ModelEntry;
+  readonly report: Report;
+  readonly match: Match;
+}
+
+interface Row extends Candidate {
+  readonly match: Extract<Match, { kind: "matched" }>;
+}
+
+const candidates = computed<readonly Candidate[]>(() =>
+  scoredRows.value
+    .filter(({ reports }) => reports.method === ownMethod.value)
+    .map(({ entry, reports }) => {
+      const report = reports[protocol.value];
+      const model = { name: entry.id, points: report.points, truth: report.truth };
+      return { entry, report, match: matchOf(model, TEST_MODELS, said.value[entry.id]) };
+    }),
+);
+
+const rows = computed(() => candidates.value.filter((candidate): candidate is Row => candidate.match.kind === "matched"));
+
+function pairOf({ report, match }: Row, measure: Measure): Pair {
+  return {
+    own: report.mean[measure],
+    theirs: published(match.model, theirMethod.value, protocol.value, measure),
+  };
+}
+
+function titleOf(row: Row, measure: Measure): string {
+  const { own, theirs } = pairOf(row, measure);
+  const printed = published(row.match.model, theirMethod.value, "paper", measure);
+  const paper = printed === null || protocol.value === "definition" ? "" : `, ${printed} in the paper`;
+  return `${format.measure(measure, own)} against ${format.measure(measure, theirs)}${paper}`;
+}
+
+const COLUMNS: readonly Column<Row>[] = [
+  { id: "model", head: "Model", label: "model", cell: ({ entry }) => entry.id, sortBy: ({ entry }) => entry.id },
+  {
+    id: "test",
+    head: "Test model",
+    label: "test model",
+    cell: ({ match }) => (match.said ? `${match.model}, as you say` : match.model),
+    sortBy: ({ match }) => match.model,
+  },
+  ...MEASURES.map(
+    (measure): Column<Row> => ({
+      id: measure,
+      head: measure,
+      aside: <ExplainButton measure={measure} />,
+      label: `difference in ${measure}`,
+      numeric: true,
+      cell: (row) => <DifferenceMark measure={measure} pair={pairOf(row, measure)} />,
+      sortBy: (row) => difference(pairOf(row, measure)),
+      title: (row) => titleOf(row, measure),
+    }),
+  ),
+];
+
+export default function ComparisonPanel(): JSX.Element {
+  const own = ownMethod.value;
+  if (own === undefined) return <p class="empty">Nothing is scored yet that could be compared.</p>;
+  return (
+    <div class="comparison">
+      <div class="panel-tools">
+        <label>
+          Compare{" "}
+          <select value={own} onChange={(event) => (chosenOwn.value = event.currentTarget.value)}>
+            {methods.value.map((name) => (
+              <option key={name} value={name}>
+                {name}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label>
+          with the published{" "}
+          <select
+            value={theirMethod.value}
+            onChange={(event) => (theirMethod.value = event.currentTarget.value as PublishedMethod)}
+          >
+            <option value="HT">HT (Hough transform)</option>
+            <option value="PG">PG (primitive growing)</option>
+          </select>
+        </label>
+        <p>
+          The published result files, scored anew{" "}
+          {protocol.value === "definition" ? "by definition" : "as the published tables were made"}.
+        </p>
+      </div>
+      {rows.value.length > 0 ? (
+        <Table
+          className="scores differences"
+          caption={`${own} minus ${theirMethod.value}: ▲ better, ▼ worse. ${format.plural(rows.value.length, "model")}.`}
+          columns={COLUMNS}
+          rows={rows.value}
+          keyOf={({ entry }) => entry.id}
+          isSelected={({ entry }) => entry.id === selectedModel.value}
+          onSelect={({ entry }) => selectModel(entry.id, own)}
+          foot={<Foot own={own} />}
+        />
+      ) : (
+        <p class="empty">
+          None of the models here is one of the 35 test models, for which alone there are published figures.
+        </p>
+      )}
+      <Which candidates={candidates.value} said={said} />
+    </div>
+  );
+}
+
+function Foot({ own }: { own: string }): JSX.Element {
+  const pairs = (measure: Measure) => rows.value.map((row) => pairOf(row, measure));
+  const line = (head: string, cell: (measure: Measure) => JSX.Element | string) => (
+    <tr>
+      <th scope="row" colSpan={2}>
+        {head}
+      </th>
+      {MEASURES.map((measure) => (
+        <td key={measure} class="numeric">
+          {cell(measure)}
+        </td>
+      ))}
+    </tr>
+  );
+  return (
+    <>
+      {line("Mean difference", (measure) => (
+        <DifferenceMark measure={measure} pair={means(pairs(measure))} />
+      ))}
+      {line(`Mean of ${own}`, (measure) => format.measure(measure, means(pairs(measure)).own))}
+      {line(`Mean of ${theirMethod.value}`, (measure) => format.measure(measure, means(pairs(measure)).theirs))}
+      {line("Won, lost, even", (measure) => {
+        const { better, worse, even } = tally(pairs(measure), MEASURE_TEXT[measure].good);
+        return better + worse + even === 0 ? format.MISSING : `${better}, ${worse}, ${even}`;
+      })}
+    </>
+  );
+}

@@ -1,0 +1,50 @@
+// The command line that repeats what is on screen.
+
+import type { Protocol, SampleOptions } from "../engine/contract";
+
+/** A sample on the page, with the imperfect submission it comes with. */
+export interface SampleOnScreen {
+  readonly part: string;
+  readonly options: SampleOptions;
+}
+
+export interface OnScreen {
+  /** Paths of the files that were brought, as they were dropped. */
+  readonly paths: readonly string[];
+  readonly samples: readonly SampleOnScreen[];
+  readonly protocol: Protocol;
+}
+
+/** The line, to be run where the dropped files and folders are; undefined where there is nothing to repeat. */
+export function commandLine({ paths, samples, protocol }: OnScreen): string | undefined {
+  const made = samples.map(({ part, options }) => [part, generate(part, options)] as const);
+  const places = [...made.map(([folder]) => folder), ...roots(paths)];
+  if (places.length === 0) return undefined;
+  const choice = protocol === "definition" ? [] : ["--protocol", protocol];
+  const score = ["fit4cad", "score", ...places.map(path), ...choice].join(" ");
+  return [...made.map(([, line]) => line), score].join(" && ");
+}
+
+function generate(part: string, options: SampleOptions): string {
+  const given = (["seed", "spacing", "noise", "outliers", "missing"] as const).flatMap((option) => {
+    const value = options[option];
+    return value === undefined ? [] : [`--${option}`, String(value)];
+  });
+  return ["fit4cad", "generate", quoted(part), ...given, "--imperfect", "--out", path(part)].join(" ");
+}
+
+/** What was dropped: whole folders and zips, and loose files. */
+function roots(paths: readonly string[]): string[] {
+  const first = paths.map((whole) => whole.split("/")[0] ?? whole);
+  return [...new Set(first)].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+}
+
+/** A name that begins with a dash would be taken for an option. */
+function path(name: string): string {
+  return quoted(name.startsWith("-") ? `./${name}` : name);
+}
+
+/** As one word of a POSIX shell, whatever characters it holds. */
+function quoted(word: string): string {
+  return /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+}

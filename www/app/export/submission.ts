@@ -1,0 +1,57 @@
+// A submission as a zip: its three files for each model, in the layout of the public test set, and
+// a note of what made it.
+
+import { engine } from "../engine/client";
+import type { ModelEntry } from "../state/models";
+import type { ModelFile, ModelSource } from "../../worker/protocol";
+import type { ZipAnswer, ZipEntry } from "../../worker/zip";
+import { hashed } from "./hashes";
+import { engineVersion } from "./results";
+import type { Protocol } from "../engine/contract";
+
+const ROLES = ["primitives", "parametric", "implicit"] as const;
+
+/** Zips a method's files. What the reader brought goes in unchanged; what is missing the engine writes. */
+export async function zipSubmission(entries: readonly ModelEntry[], method: string, protocol: Protocol): Promise<Blob> {
+  const files: ModelFile[] = [];
+  for (const { id, source } of entries) files.push(...(await submissionOf(id, source, method)));
+  const sums = await hashed(files);
+  const note = {
+    method,
+    protocol,
+    engine: await engineVersion(),
+    files: sums.map(({ path, sha256 }) => ({ path, sha256 })),
+  };
+  const about = new Blob([`${JSON.stringify(note, null, 2)}\n`], { type: "application/json" });
+  return zip([...files, { path: "fit4cad.json", data: about }]);
+}
+
+async function submissionOf(name: string, source: ModelSource, method: string): Promise<ModelFile[]> {
+  const own = source.files.filter((file) => file.method === method);
+  const missing = ROLES.some((role) => !own.some((file) => file.role === role));
+  const written = missing ? await engine.run((api) => api.write(source, method)) : [];
+  // A model's name may hold the folder that tells it from its namesake.
+  const short = name.split("/").at(-1) ?? name;
+  return ROLES.flatMap((role) => {
+    const file = own.find((candidate) => candidate.role === role) ?? written.find((candidate) => candidate.role === role);
+    return file ? [{ ...file, path: `pointCloud_${role}_${safe(method)}/${safe(short)}_${role}.txt` }] : [];
+  });
+}
+
+/** Names of files from names of methods and models: nothing that means a path or is forbidden somewhere. */
+export function safe(name: string): string {
+  // eslint-disable-next-line no-control-regex -- they are what is removed
+  return name.replace(/[\u0000-\u001f\u007f/\\:*?"<>|]/g, "_").replace(/^\.+/, "_") || "_";
+}
+
+function zip(entries: readonly ZipEntry[]): Promise<Blob> {
+  const worker = new Worker(new URL("../../worker/zip.ts", import.meta.url), { type: "module", name: "zip" });
+  return new Promise<Blob>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<ZipAnswer>) => {
+      if ("zip" in data) resolve(data.zip);
+      else reject(new Error(data.error));
+    };
+    worker.onerror = (event) => reject(new Error(event.message || "The zip could not be made."));
+    worker.postMessage(entries.map(({ path, data }) => ({ path, data })));
+  }).finally(() => worker.terminate());
+}

@@ -1,0 +1,53 @@
+// The summary as a file or on the clipboard.
+
+import type { JSX } from "preact";
+import { scoredRows } from "../state/models";
+import { notify } from "../state/notices";
+import { protocol } from "../state/settings";
+import { plural } from "../ui/format";
+import { copy, download } from "./download";
+import { resultsOf } from "./results";
+import { TABLE_FORMATS, type TableFormat } from "./tables";
+
+export function TablesSection(): JSX.Element {
+  return (
+    <section>
+      <h3>Tables</h3>
+      <p>
+        {plural(scoredRows.value.length, "row")} by protocol {protocol.value}, with the engine's version and the SHA-256
+        of each file.
+      </p>
+      <ul class="exports">
+        {TABLE_FORMATS.map((format) => (
+          <li key={format.id}>
+            <span>
+              <strong>{format.title}</strong> {format.what}
+            </span>
+            <button type="button" aria-label={`Save ${format.title}`} onClick={() => void hand(format, save)}>
+              Save
+            </button>
+            <button type="button" aria-label={`Copy ${format.title}`} onClick={() => void hand(format, put)}>
+              Copy
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function save({ type, extension }: TableFormat, text: string): void {
+  download(`fit4cad-${protocol.peek()}.${extension}`, new Blob([text], { type: `${type};charset=utf-8` }));
+}
+
+function put({ title }: TableFormat, text: string): Promise<void> {
+  return copy(text, title);
+}
+
+async function hand(format: TableFormat, over: (format: TableFormat, text: string) => void | Promise<void>): Promise<void> {
+  try {
+    await over(format, format.write(await resultsOf(scoredRows.peek(), protocol.peek())));
+  } catch (error) {
+    notify(`${format.title} could not be written: ${error instanceof Error ? error.message : String(error)}`, "error");
+  }
+}

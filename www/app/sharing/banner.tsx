@@ -1,0 +1,79 @@
+// Says that the page was opened with a link, and how its claims stand.
+
+import type { JSX } from "preact";
+import { shownPanel } from "../shell/panels";
+import { plural } from "../ui/format";
+import { Icon } from "../ui/icon";
+import { closeLink, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
+
+export function SharedBanner(): JSX.Element | null {
+  const state = opened.value;
+  if (state.kind === "none") return null;
+  if (state.kind === "damaged") {
+    return (
+      <section class="banner" data-kind="error" aria-label="Shared link">
+        <p role="alert">
+          <Icon name="error" />
+          {state.message}
+        </p>
+        <Close />
+      </section>
+    );
+  }
+  return (
+    <section class="banner" data-kind={kindOf()} aria-label="Shared link">
+      <p role="status">
+        <Standing />
+      </p>
+      <button type="button" onClick={() => (shownPanel.value = SHARED_PANEL)}>
+        Show the figures
+      </button>
+      <Close />
+    </section>
+  );
+}
+
+function Close(): JSX.Element {
+  return (
+    <button type="button" class="icon" aria-label="Close the link" onClick={closeLink}>
+      <Icon name="close" />
+    </button>
+  );
+}
+
+function kindOf(): "good" | "error" | "note" {
+  const { differs, verified } = tally.value;
+  if (differs > 0) return "error";
+  return isLinkOpen() && verified > 0 && verified === judged.value.length ? "good" : "note";
+}
+
+/** How the claims stand, in a sentence. */
+export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Element {
+  const all = judged.value.length;
+  const { verified, differs, "other files": others } = tally.value;
+  if (all === 0) return <>This link holds no results.</>;
+  if (differs > 0) {
+    return (
+      <>
+        <strong>{differs === all ? "The figures differ." : `${differs} of ${plural(all, "result")} differ.`}</strong> The
+        same files, scored here, gave other figures.
+      </>
+    );
+  }
+  if (verified === all) {
+    return (
+      <>
+        <strong>Verified here.</strong> {plural(all, "shared result")}: the same files, scored on this computer, gave
+        every digit.
+      </>
+    );
+  }
+  return (
+    <>
+      <strong>As claimed.</strong> {plural(all, "shared result")}
+      {verified > 0 && `, ${verified} verified here`}
+      {others > 0 && `, ${others} with other files`}. {embedded ? "Open full" : "Drop the same files on the page"} to
+      check {verified > 0 ? "the rest" : "them"}.
+    </>
+  );
+}

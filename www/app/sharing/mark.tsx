@@ -1,0 +1,62 @@
+// "as claimed", "verified here", and what lies between.
+
+import type { JSX } from "preact";
+import { Icon, type IconName } from "../ui/icon";
+import type { Verdict } from "./judge";
+
+interface Look {
+  readonly kind: "good" | "warning" | "error" | "note";
+  readonly icon: IconName;
+  readonly text: string;
+  readonly meaning: string;
+}
+
+function lookOf(verdict: Verdict): Look {
+  switch (verdict.kind) {
+    case "verified":
+      return {
+        kind: "good",
+        icon: "check",
+        text: "verified here",
+        meaning: "The same files were scored on this computer and gave the same figures, to the last digit.",
+      };
+    case "differs":
+      return {
+        kind: "error",
+        icon: "error",
+        text: "figures differ",
+        meaning: `The same files were scored on this computer and gave other figures: ${verdict.differences.map(({ figure }) => figure).join(", ")}.`,
+      };
+    case "other files":
+      return {
+        kind: "warning",
+        icon: "error",
+        text: `other ${verdict.parts.join(" and ")}`,
+        meaning: "A model of this name is here, but its files are not those the claim was made for.",
+      };
+    case "uncheckable":
+      return {
+        kind: "note",
+        icon: "note",
+        text: "as claimed, cannot be checked",
+        meaning: "The link was made on a page that could not hash files, so it does not say which files it is about.",
+      };
+    case "claimed":
+      return {
+        kind: "note",
+        icon: "note",
+        text: "as claimed",
+        meaning: "Drop the ground truth and the submission on the page to have them scored and compared.",
+      };
+  }
+}
+
+export function VerdictMark({ verdict }: { verdict: Verdict }): JSX.Element {
+  const { kind, icon, text, meaning } = lookOf(verdict);
+  return (
+    <span class={`mark ${kind}`} title={meaning}>
+      <Icon name={icon} />
+      {text}
+    </span>
+  );
+}

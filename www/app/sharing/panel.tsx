@@ -1,0 +1,132 @@
+// The figures a link claims, each with how far it is borne out here.
+
+import type { JSX } from "preact";
+import { meanOf, methodsOf } from "../../../bin/formats/measures.mjs";
+import type { Measure } from "../engine/contract";
+import { ExplainButton } from "../measures/explain";
+import { MEASURES } from "../measures/measures";
+import { modelById } from "../state/models";
+import { selectedModel, selectModel } from "../state/selection";
+import * as format from "../ui/format";
+import { Table, type Column } from "../ui/table";
+import { VerdictMark } from "./mark";
+import type { Difference, Figure } from "./judge";
+import { judged, opened, type JudgedClaim } from "./opened";
+
+function differenceIn({ verdict }: JudgedClaim, figure: Figure): Difference | undefined {
+  return verdict.kind === "differs" ? verdict.differences.find((difference) => difference.figure === figure) : undefined;
+}
+
+/** A claimed figure, and the one found here where that is another. */
+function Claimed({ row, figure, text }: { row: JudgedClaim; figure: Figure; text: (value: number | null) => string }) {
+  const difference = differenceIn(row, figure);
+  if (!difference) return null;
+  const [claimed, found] = [text(difference.claimed), text(difference.found)];
+  // Where the difference is below the digits shown, all digits are.
+  const exact = claimed === found;
+  return (
+    <span class="differs">
+      <del>
+        <span class="visually-hidden">claimed </span>
+        {exact ? String(difference.claimed) : claimed}
+      </del>
+      <ins>
+        <span class="visually-hidden">found here </span>
+        {exact ? String(difference.found) : found}
+      </ins>
+    </span>
+  );
+}
+
+function count(id: string, head: string, label: string, figure: Figure, value: (row: JudgedClaim) => number): Column<JudgedClaim> {
+  const text = (found: number | null) => (found === null ? format.MISSING : format.integer(found));
+  return {
+    id,
+    head,
+    label,
+    numeric: true,
+    cell: (row) => (differenceIn(row, figure) ? <Claimed row={row} figure={figure} text={text} /> : text(value(row))),
+    sortBy: value,
+  };
+}
+
+const COLUMNS: readonly Column<JudgedClaim>[] = [
+  { id: "model", head: "Model", label: "model", cell: ({ model }) => model.name, sortBy: ({ model }) => model.name },
+  { id: "method", head: "Method", label: "method", cell: ({ claim }) => claim.method, sortBy: ({ claim }) => claim.method },
+  {
+    id: "mark",
+    head: "Mark",
+    label: "mark",
+    cell: ({ verdict }) => <VerdictMark verdict={verdict} />,
+    sortBy: ({ verdict }) => verdict.kind,
+  },
+  count("points", "Points", "points", "points", ({ model }) => model.points),
+  count("truth", "True", "true primitives", "truth", ({ model }) => model.truth),
+  count("predicted", "Pred.", "predicted primitives", "predicted", ({ claim }) => claim.predicted),
+  ...MEASURES.map(
+    (measure): Column<JudgedClaim> => ({
+      id: measure,
+      head: measure,
+      aside: <ExplainButton measure={measure} />,
+      label: measure,
+      numeric: true,
+      cell: (row) =>
+        differenceIn(row, measure) ? (
+          <Claimed row={row} figure={measure} text={(value) => format.measure(measure, value)} />
+        ) : (
+          format.measure(measure, row.claim.mean[measure])
+        ),
+      sortBy: ({ claim }) => claim.mean[measure],
+      title: ({ claim }) => claim.mean[measure]?.toString(),
+    }),
+  ),
+  count("types", "Type err.", "type errors", "type errors", ({ claim }) => claim.typeErrors),
+];
+
+export default function SharedPanel(): JSX.Element {
+  if (opened.value.kind !== "shared") return <p class="empty">No link is open.</p>;
+  const { protocol, engine } = opened.value.results;
+  return (
+    <Table
+      className="scores claims"
+      caption={
+        <>
+          As claimed by a link, {protocol === "published" ? "as the published tables were made" : "by definition"}, with
+          engine {engine}. {format.plural(judged.value.length, "row")}.
+        </>
+      }
+      columns={COLUMNS}
+      rows={judged.value}
+      keyOf={({ key }) => key}
+      isSelected={({ model }) => model.name === selectedModel.value}
+      onSelect={({ model, claim }) => {
+        if (modelById(model.name)) selectModel(model.name, claim.method);
+      }}
+      foot={<Means />}
+    />
+  );
+}
+
+function Means(): JSX.Element {
+  const claims = judged.value.map(({ claim }) => claim);
+  return (
+    <>
+      {methodsOf(claims).map((method) => {
+        const own = claims.filter((claim) => claim.method === method);
+        return (
+          <tr key={method}>
+            <th scope="row">Mean of {own.length}</th>
+            <td>{method}</td>
+            <td colSpan={4} />
+            {MEASURES.map((measure: Measure) => (
+              <td key={measure} class="numeric">
+                {format.measure(measure, meanOf(own, measure))}
+              </td>
+            ))}
+            <td class="numeric">{own.reduce((sum, { typeErrors }) => sum + typeErrors, 0)}</td>
+          </tr>
+        );
+      })}
+    </>
+  );
+}
