@@ -23,6 +23,29 @@ impl fmt::Display for Severity {
     }
 }
 
+/// What a finding is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Subject {
+    /// A file as a whole: absent, empty, cut off, unreadable or one too many.
+    File,
+    /// How something is written, where what is meant is clear.
+    Syntax,
+    /// A point of the cloud.
+    Point,
+    /// An index of a point list.
+    Index,
+    /// An index that a point list holds twice.
+    Duplicate,
+    /// The vector of a surface: missing, of the wrong length or not of numbers.
+    Vector,
+    /// The type of a surface.
+    Type,
+    /// The numbers by which surfaces and primitives belong together.
+    Numbering,
+    /// A vector that is no surface of its type.
+    Family,
+}
+
 /// A place in a text file, both counted from 1; the column counts bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
@@ -37,6 +60,10 @@ pub struct Position {
 pub struct Diagnostic {
     /// How much it matters.
     pub severity: Severity,
+    /// What it is about.
+    pub subject: Subject,
+    /// Number of the primitive it is about, where it is about one.
+    pub primitive: Option<u32>,
     /// Path of the file as it was given.
     pub file: String,
     /// Where in the file, if it is about one place.

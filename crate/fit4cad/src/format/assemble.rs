@@ -3,7 +3,7 @@
 use super::findings::{Findings, Kind};
 use super::primitives::PointList;
 use super::surfaces::{Form, SurfaceEntry, SurfaceFile};
-use crate::diagnostics::{Diagnostic, Severity};
+use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::model::{Coefficients, Primitive, Segmentation};
 use crate::surface::{Conversion, Surface};
 
@@ -43,30 +43,35 @@ pub fn assemble(
 }
 
 const UNMATCHED: Kind = Kind {
+    subject: Subject::Numbering,
     severity: Severity::Error,
     message: "It is unclear which surface belongs to which primitive, so the file is not used",
     expected: "the primitives' numbers, or as many surfaces as primitives",
     hint: "Give each surface the number of its primitive",
 };
 const BY_POSITION: Kind = Kind {
+    subject: Subject::Numbering,
     severity: Severity::Note,
     message: "Surfaces are numbered differently from the primitives and are matched by position",
     expected: "",
     hint: "",
 };
 const REPEATED: Kind = Kind {
+    subject: Subject::Numbering,
     severity: Severity::Warning,
     message: "A second surface for the same primitive is not used",
     expected: "each number once",
     hint: "",
 };
 const MISSING: Kind = Kind {
+    subject: Subject::Vector,
     severity: Severity::Note,
     message: "The file has no surface for a primitive",
     expected: "",
     hint: "Its figures are left out",
 };
 const TYPES_DIFFER: Kind = Kind {
+    subject: Subject::Type,
     severity: Severity::Warning,
     message: "The two surface files give a primitive different types",
     expected: "",
@@ -74,12 +79,14 @@ const TYPES_DIFFER: Kind = Kind {
 };
 
 const MISFIT: Kind = Kind {
+    subject: Subject::Family,
     severity: Severity::Warning,
     message: "A vector is not quite a surface of its type",
     expected: "",
     hint: "The nearest such surface is used for distances",
 };
 const NO_MEMBER: Kind = Kind {
+    subject: Subject::Family,
     severity: Severity::Error,
     message: "A vector is no surface of its type",
     expected: "",
@@ -121,6 +128,7 @@ impl<'a> FormColumn<'a> {
         };
         for (list, entry) in lists.content.iter().zip(&entries) {
             if entry.is_none() {
+                findings.about(Some(list.number));
                 findings.add_whole(&MISSING, format!("none for Primitive{}", list.number));
             }
         }
@@ -133,8 +141,9 @@ impl<'a> FormColumn<'a> {
     }
 
     /// The surface an entry stands for; a finding where its vector is no member of its family.
-    fn surface(&mut self, entry: Option<&SurfaceEntry>) -> Option<Surface> {
+    fn surface(&mut self, number: u32, entry: Option<&SurfaceEntry>) -> Option<Surface> {
         let entry = entry?;
+        self.findings.about(Some(number));
         let (kind, values) = (entry.kind?, entry.coefficients.values()?);
         let converted = match self.form {
             Form::Parametric => Surface::from_parametric(kind, values),
@@ -206,14 +215,18 @@ fn align(
             *taken += 1;
             match slot {
                 Some(slot) => *slot = Some(entry),
-                None => findings.add_at(&REPEATED, entry.position, || {
-                    (
-                        format!("Primitive{} again", entry.number),
-                        REPEATED.expected.to_owned(),
-                    )
-                }),
+                None => {
+                    findings.about(Some(entry.number));
+                    findings.add_at(&REPEATED, entry.position, || {
+                        (
+                            format!("Primitive{} again", entry.number),
+                            REPEATED.expected.to_owned(),
+                        )
+                    });
+                }
             }
         }
+        findings.about(None);
         return Ok(aligned);
     };
     if entries.len() == lists.len() {
@@ -240,6 +253,7 @@ fn join(
     if let (Some(first), Some(second), Some(entry)) = (first, second, &implicit)
         && first != second
     {
+        implicit_file.findings.about(Some(list.number));
         implicit_file
             .findings
             .add_at(&TYPES_DIFFER, entry.position, || {
@@ -251,9 +265,9 @@ fn join(
     }
     let (has_parametric, has_implicit) = (parametric_file.present, implicit_file.present);
     let surface = if has_parametric {
-        parametric_file.surface(parametric.as_ref())
+        parametric_file.surface(list.number, parametric.as_ref())
     } else {
-        implicit_file.surface(implicit.as_ref())
+        implicit_file.surface(list.number, implicit.as_ref())
     };
     let coefficients = |entry: Option<SurfaceEntry>| {
         entry.map_or(Coefficients::Missing, |entry| entry.coefficients)

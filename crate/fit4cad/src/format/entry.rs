@@ -3,35 +3,40 @@
 use super::findings::{Findings, Kind};
 use super::limits::MAX_PRIMITIVES;
 use super::scan::{Cursor, is_line_end, is_remark, is_whitespace};
-use crate::diagnostics::Severity;
+use crate::diagnostics::{Severity, Subject};
 
 const KEYWORD: &[u8] = b"primitive";
 
 const JUNK: Kind = Kind {
+    subject: Subject::Syntax,
     severity: Severity::Warning,
     message: "This is not an entry and was skipped",
     expected: "`PrimitiveK:=[`",
     hint: "Begin remarks with # or %",
 };
 const OTHER_FILE: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "This is not a file of primitives but a cloud",
     expected: "`PrimitiveK:=[`",
     hint: "Rename the file or set its role",
 };
 const BAD_HEADER: Kind = Kind {
+    subject: Subject::Syntax,
     severity: Severity::Error,
     message: "An entry does not begin as it should and was skipped",
     expected: "`PrimitiveK:=[` with K a whole number",
     hint: "",
 };
 const TOO_MANY: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file has too many entries; the rest was not read",
     expected: "at most 100,000 entries",
     hint: "",
 };
 pub(super) const NOT_CLOSED: Kind = Kind {
+    subject: Subject::Syntax,
     severity: Severity::Warning,
     message: "An entry is not closed",
     expected: "`];`",
@@ -57,6 +62,7 @@ pub(super) fn next_header(
         // Brackets left over belong to the entry before.
         cursor.skip_while(|byte| is_whitespace(byte) || matches!(byte, b';' | b',' | b']'));
         let at = cursor.at;
+        findings.about(None);
         let byte = cursor.peek()?;
         if is_remark(byte) {
             cursor.skip_line();
@@ -66,6 +72,7 @@ pub(super) fn next_header(
                 return None;
             }
             if let Some(number) = header(cursor) {
+                findings.about(Some(number));
                 return Some(Header { number, at });
             }
             findings.add(&BAD_HEADER, at);

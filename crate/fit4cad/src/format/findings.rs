@@ -2,11 +2,12 @@
 
 use super::limits::{MAX_FILE_BYTES, MAX_SIMILAR_DIAGNOSTICS};
 use super::scan::{Cursor, Lines, excerpt, is_remark, is_whitespace};
-use crate::diagnostics::{Diagnostic, Position, Severity};
+use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
 
 /// A kind of finding: what is the same each time it occurs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Kind {
+    pub(super) subject: Subject,
     pub(super) severity: Severity,
     pub(super) message: &'static str,
     pub(super) expected: &'static str,
@@ -28,6 +29,8 @@ pub(super) struct Findings<'a> {
     file: &'a str,
     bytes: &'a [u8],
     lines: Lines<'a>,
+    /// Number of the primitive whose entry is being read.
+    primitive: Option<u32>,
     diagnostics: Vec<Diagnostic>,
     tallies: Vec<Tally>,
 }
@@ -38,9 +41,15 @@ impl<'a> Findings<'a> {
             file,
             bytes,
             lines: Lines::new(bytes),
+            primitive: None,
             diagnostics: Vec::new(),
             tallies: Vec::new(),
         }
+    }
+
+    /// From here on findings are about that primitive, or about none.
+    pub(super) fn about(&mut self, primitive: Option<u32>) {
+        self.primitive = primitive;
     }
 
     pub(super) fn position(&mut self, offset: usize) -> Position {
@@ -95,6 +104,8 @@ impl<'a> Findings<'a> {
     fn push(&mut self, kind: &Kind, position: Option<Position>, found: String, expected: String) {
         self.diagnostics.push(Diagnostic {
             severity: kind.severity,
+            subject: kind.subject,
+            primitive: self.primitive,
             file: self.file.to_owned(),
             position,
             message: kind.message.to_owned(),
@@ -144,18 +155,21 @@ impl<'a> Findings<'a> {
 }
 
 const TOO_LARGE: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file is too large and was not read",
     expected: "at most 512 MiB",
     hint: "Thin the cloud or split the file",
 };
 const UTF_16: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file is UTF-16 text and was not read",
     expected: "ASCII or UTF-8",
     hint: "Save it again with the encoding UTF-8",
 };
 const NOT_TEXT: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file is not text and was not read",
     expected: "one of the benchmark's text files",

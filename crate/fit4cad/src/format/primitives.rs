@@ -6,7 +6,7 @@ use super::limits::MAX_INDICES;
 use super::number;
 use super::numbering::{Numbering, PointNumber};
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
-use crate::diagnostics::{Diagnostic, Position, Severity};
+use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
 
 /// One entry of a primitives file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,54 +68,63 @@ pub fn read_primitives(
 }
 
 const EMPTY: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Warning,
     message: "The primitives file is empty",
     expected: "`PrimitiveK:=[i1 i2 …];`",
     hint: "It counts as a result without primitives",
 };
 const NO_ENTRY: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file holds no primitive that could be read",
     expected: "`PrimitiveK:=[i1 i2 …];`",
     hint: "",
 };
 const NO_INDEX: Kind = Kind {
+    subject: Subject::Index,
     severity: Severity::Warning,
     message: "A primitive has no points",
     expected: "at least one index",
     hint: "",
 };
 const BAD_INDEX: Kind = Kind {
+    subject: Subject::Index,
     severity: Severity::Error,
     message: "This is not a point index and was left out",
     expected: "a whole number from 1 to the number of points",
     hint: "Separate indices by blanks",
 };
 const OUTSIDE: Kind = Kind {
+    subject: Subject::Index,
     severity: Severity::Error,
     message: "A primitive lists a point that the cloud does not have",
     expected: "",
     hint: "Indices count from 1; check that the file belongs to this cloud",
 };
 const BROKEN_POINT: Kind = Kind {
+    subject: Subject::Index,
     severity: Severity::Warning,
     message: "A primitive lists a point that could not be read from the cloud",
     expected: "",
     hint: "See the findings about the cloud file",
 };
 const TWICE: Kind = Kind {
+    subject: Subject::Duplicate,
     severity: Severity::Warning,
     message: "A primitive lists a point more than once",
     expected: "each index once",
     hint: "It counts once",
 };
 const CUT_OFF: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file ends within a list",
     expected: "`];`",
     hint: "The last index may be cut short and is left out; fetch the file again",
 };
 const TOO_MANY: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file lists too many points; the rest was not read",
     expected: "at most 50,000,000 indices",

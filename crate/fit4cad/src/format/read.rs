@@ -7,7 +7,7 @@ use super::cloud::{CloudText, read_cloud};
 use super::numbering::Numbering;
 use super::primitives::read_primitives;
 use super::surfaces::{Form, SurfaceFile, read_surfaces};
-use crate::diagnostics::{Diagnostic, Severity};
+use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::model::{Model, Segmentation, Submission};
 
 /// What a file holds.
@@ -164,6 +164,8 @@ fn second(path: &str, first: &str) -> Diagnostic {
 fn whole_file(file: &str, message: &str, expected: &str, hint: &str) -> Diagnostic {
     Diagnostic {
         severity: Severity::Error,
+        subject: Subject::File,
+        primitive: None,
         file: file.to_owned(),
         position: None,
         message: message.to_owned(),

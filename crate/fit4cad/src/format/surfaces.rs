@@ -5,7 +5,7 @@ use super::entry::{NOT_CLOSED, at_keyword, next_header};
 use super::findings::{Findings, Kind, is_blank, open};
 use super::number;
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
-use crate::diagnostics::{Diagnostic, Position, Severity};
+use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
 use crate::model::Coefficients;
 use crate::surface::SurfaceType;
 
@@ -83,54 +83,63 @@ pub fn read_surfaces(file: &str, bytes: &[u8], form: Form) -> (SurfaceFile, Vec<
 }
 
 const EMPTY: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Warning,
     message: "The surface file is empty",
     expected: "`PrimitiveK:=[Type, [v1 v2 …]];`",
     hint: "The other surface file is used in its place, if there is one",
 };
 const NO_ENTRY: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file holds no surface that could be read",
     expected: "`PrimitiveK:=[Type, [v1 v2 …]];`",
     hint: "",
 };
 const TYPE_TWICE: Kind = Kind {
+    subject: Subject::Syntax,
     severity: Severity::Note,
     message: "The type is written twice",
     expected: "`PrimitiveK:=[Type, [v1 v2 …]];`",
     hint: "It is read once",
 };
 const NO_TYPE: Kind = Kind {
+    subject: Subject::Type,
     severity: Severity::Error,
     message: "A surface has no type and is left out",
     expected: "Plane, Cylinder, Cone, Sphere or Torus",
     hint: "",
 };
 const OTHER_TYPE: Kind = Kind {
+    subject: Subject::Type,
     severity: Severity::Warning,
     message: "A surface is of a type outside the benchmark and is left out",
     expected: "Plane, Cylinder, Cone, Sphere or Torus",
     hint: "The points of the primitive still count",
 };
 const WRONG_LENGTH: Kind = Kind {
+    subject: Subject::Vector,
     severity: Severity::Error,
     message: "A vector has the wrong length; the entry is left out",
     expected: "",
     hint: "",
 };
 const NOT_A_NUMBER: Kind = Kind {
+    subject: Subject::Vector,
     severity: Severity::Error,
     message: "A vector holds something that is no finite number; the entry is left out",
     expected: "a finite decimal number",
     hint: "",
 };
 const ALL_ZERO: Kind = Kind {
+    subject: Subject::Vector,
     severity: Severity::Error,
     message: "Every number of a vector is zero; the entry is left out",
     expected: "the coefficients of a surface",
     hint: "",
 };
 const CUT_OFF: Kind = Kind {
+    subject: Subject::File,
     severity: Severity::Error,
     message: "The file ends within an entry, which is left out",
     expected: "`]];`",
