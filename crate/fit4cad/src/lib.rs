@@ -6,8 +6,10 @@
 //! files on disk or the clock, so the same code runs natively, in a browser and under Node.
 //!
 //! Data flows one way: text files → [`format`] → [`model::Model`] → [`fit`] (makes a
-//! [`model::Submission`]) → [`metrics`] (makes a report). [`sample`] makes models with known truth.
+//! [`model::Submission`]) → [`metrics`] (makes a report). [`sample`] makes models with known truth,
+//! [`audit`] checks one, [`statistics`] counts what a set of models holds.
 
+pub mod audit;
 pub mod cloud;
 pub mod diagnostics;
 pub mod fit;
@@ -15,4 +17,5 @@ pub mod format;
 pub mod metrics;
 pub mod model;
 pub mod sample;
+pub mod statistics;
 pub mod surface;

@@ -1,0 +1,255 @@
+//! From the measurements of a primitive to what is wrong with it.
+
+use super::forms::{Measured, MeasuredForm, accuracy, is_far};
+use super::{Check, DISTANCE_LIMIT, Finding, SEVERE_DISTANCE, STRAY_SHARE, hint};
+use crate::cloud::Cloud;
+use crate::diagnostics::Severity;
+use crate::format::Form;
+use crate::metrics::accuracy::FitAccuracy;
+use crate::model::{Primitive, Segmentation};
+use crate::surface::Conversion;
+
+/// Most stray points that are named.
+const NAMED: usize = 5;
+
+/// The verdict on the forms of one primitive: which of them cannot be relied on.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Verdict {
+    /// Positions in the point list of points off a surface on which all others lie.
+    pub(super) stray: Vec<usize>,
+    /// The forms that are off the points, stray ones aside.
+    pub(super) off: Vec<Form>,
+    /// Whether both forms are the same surface, as far as the points tell.
+    pub(super) agree: bool,
+    /// Whether first-order distances to the implicit form are far too large.
+    pub(super) first_order: bool,
+}
+
+impl Verdict {
+    pub(super) fn of(measured: &Measured) -> Self {
+        let mut stray = measured.off();
+        let points = measured.forms.iter().map(|form| form.distances.len()).max();
+        if stray.len() as f64 > STRAY_SHARE * points.unwrap_or(0) as f64 {
+            stray.clear();
+        }
+        let far = |distances: &[f64]| {
+            let mean = without(distances, &stray).map_or(0.0, |accuracy| accuracy.d_haus);
+            is_far(mean)
+        };
+        let off = measured.forms.iter().filter(|form| far(&form.distances));
+        let off: Vec<Form> = off.map(|form| form.form).collect();
+        let first_order = without(&measured.first_order, &stray);
+        let fits = measured.forms.iter().any(|measured| {
+            let Form::Implicit = measured.form else {
+                return false;
+            };
+            measured.surface.is_some() && !off.contains(&Form::Implicit)
+        });
+        Self {
+            agree: !far(&measured.apart),
+            first_order: fits && first_order.is_some_and(|accuracy| is_far(accuracy.mfe)),
+            off,
+            stray,
+        }
+    }
+}
+
+/// Mean and largest of the distances of all but the stray points.
+pub(super) fn without(distances: &[f64], stray: &[usize]) -> Option<FitAccuracy> {
+    let kept = distances.iter().enumerate();
+    let kept = kept.filter(|(place, _)| stray.binary_search(place).is_err());
+    accuracy(kept.map(|(_, &distance)| distance))
+}
+
+/// Adds what is wrong with the forms of a primitive.
+pub(super) fn judge(
+    cloud: &Cloud,
+    truth: &Segmentation,
+    primitive: &Primitive,
+    measured: &Measured,
+    findings: &mut Vec<Finding>,
+) {
+    let verdict = Verdict::of(measured);
+    let mut add = |check, severity, value: f64, limit, message, hint| {
+        findings.push(Finding {
+            primitive: Some(primitive.number),
+            check,
+            severity,
+            value: Some(value),
+            limit: Some(limit),
+            message,
+            hint,
+        });
+    };
+    for form in &measured.forms {
+        if form.misfit > Conversion::TOLERANCE {
+            let (message, hint) = no_member(form, primitive, &verdict);
+            let severity = if form.defect.is_some() {
+                Severity::Error
+            } else {
+                Severity::Warning
+            };
+            add(
+                Check::Family,
+                severity,
+                form.misfit,
+                Conversion::TOLERANCE,
+                message,
+                hint,
+            );
+        }
+    }
+    let mut too_far = |check, subject: &str, distances: FitAccuracy, hint| {
+        let message = format!(
+            "{subject} {} of the primitive's diagonal off the points at most, {} on average",
+            percent(distances.d_haus),
+            percent(distances.mfe)
+        );
+        let severity = severity_of(distances.d_haus);
+        let value = distances.d_haus;
+        add(check, severity, value, DISTANCE_LIMIT, message, hint);
+    };
+    let distances = |form: &MeasuredForm| without(&form.distances, &verdict.stray);
+    match (verdict.off.as_slice(), verdict.agree) {
+        ([Form::Parametric, Form::Implicit], true) => {
+            let largest = measured.forms.iter().filter_map(distances);
+            if let Some(distances) = largest.max_by(|a, b| a.d_haus.total_cmp(&b.d_haus)) {
+                let hint = hint::other_primitive(cloud, truth, primitive, measured);
+                let subject = "The surface, on which both forms agree, is";
+                too_far(Check::SurfaceDistance, subject, distances, hint);
+            }
+        }
+        _ => {
+            for form in measured
+                .forms
+                .iter()
+                .filter(|form| verdict.off.contains(&form.form))
+            {
+                let (check, subject) = match form.form {
+                    Form::Parametric => (Check::ParametricDistance, "The parametric form is"),
+                    Form::Implicit => (Check::ImplicitDistance, "The implicit form is"),
+                };
+                if let Some(distances) = distances(form) {
+                    let hint = hint::wrong_form(cloud, truth, primitive, measured, form, &verdict);
+                    too_far(check, subject, distances, hint);
+                }
+            }
+        }
+    }
+    if let Some(message) = stray_points(primitive, &verdict.stray) {
+        let of_strays = |form: &MeasuredForm| {
+            let strays = verdict.stray.iter();
+            accuracy(strays.filter_map(|&place| form.distances.get(place).copied()))
+        };
+        let nearest = measured.forms.iter().filter_map(of_strays);
+        let nearest = nearest.map(|accuracy| accuracy.d_haus);
+        let value = nearest.min_by(f64::total_cmp).unwrap_or(f64::NAN);
+        let message = format!(
+            "{message} {} of the primitive's diagonal off its surface",
+            percent(value)
+        );
+        let hint = "All its other points lie on the surface; take these out of its list".to_owned();
+        add(
+            Check::StrayPoint,
+            severity_of(value),
+            value,
+            DISTANCE_LIMIT,
+            message,
+            hint,
+        );
+    }
+    let apart = without(&measured.apart, &verdict.stray);
+    if let (Some(apart), true, false) = (apart, verdict.off.is_empty(), verdict.agree) {
+        let message = format!(
+            "The two forms are {} of the primitive's diagonal apart, though neither is off the points",
+            percent(apart.d_haus)
+        );
+        let severity = severity_of(apart.d_haus);
+        add(
+            Check::Agreement,
+            severity,
+            apart.d_haus,
+            DISTANCE_LIMIT,
+            message,
+            String::new(),
+        );
+    }
+    let first_order = without(&measured.first_order, &verdict.stray);
+    if let (Some(first_order), true) = (first_order, verdict.first_order) {
+        let message = format!(
+            "The first-order distance |f| / |∇f| to the implicit form is {} of the primitive's \
+             diagonal on average, though the surface fits",
+            percent(first_order.mfe)
+        );
+        let hint = "A point lies where the gradient vanishes (an apex), and there the few digits \
+                    of the coefficients show; give more, and measure Euclidean distances"
+            .to_owned();
+        add(
+            Check::FirstOrderDistance,
+            Severity::Note,
+            first_order.mfe,
+            DISTANCE_LIMIT,
+            message,
+            hint,
+        );
+    }
+}
+
+fn severity_of(distance: f64) -> Severity {
+    if distance <= SEVERE_DISTANCE {
+        Severity::Warning
+    } else {
+        Severity::Error
+    }
+}
+
+fn no_member(form: &MeasuredForm, primitive: &Primitive, verdict: &Verdict) -> (String, String) {
+    let name = hint::name(form.form);
+    let kind = primitive
+        .kind
+        .map_or_else(String::new, |kind| kind.name().to_lowercase());
+    let Some(defect) = form.defect else {
+        let message = format!(
+            "The {name} form is no {kind}: the nearest one lies {} of its size away",
+            percent(form.misfit)
+        );
+        let hint = if verdict.off.contains(&form.form) || form.distances.is_empty() {
+            String::new()
+        } else {
+            "It fits the points all the same, which are few or on a small part of it".to_owned()
+        };
+        return (message, hint);
+    };
+    let hint = "Its distances are left out".to_owned();
+    (format!("The {name} form is unusable: {defect}"), hint)
+}
+
+/// Names the stray points by their numbers in the file, from 1.
+fn stray_points(primitive: &Primitive, stray: &[usize]) -> Option<String> {
+    let numbers = stray
+        .iter()
+        .filter_map(|&place| primitive.points.get(place));
+    let numbers: Vec<String> = numbers
+        .take(NAMED)
+        .map(|&index| (u64::from(index) + 1).to_string())
+        .collect();
+    let named = numbers.join(", ");
+    match stray.len() {
+        0 => None,
+        1 => Some(format!("Point {named} is")),
+        count if count <= NAMED => Some(format!("Points {named} are up to")),
+        count => Some(format!("{count} points ({named}, …) are up to")),
+    }
+}
+
+/// A share as a percentage of three digits.
+fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    if !percent.is_finite() {
+        return "infinitely many %".to_owned();
+    }
+    if percent != 0.0 && percent < 0.01 {
+        return format!("{percent:.1e} %");
+    }
+    format!("{percent:.3} %")
+}
