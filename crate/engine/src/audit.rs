@@ -1,13 +1,17 @@
 //! What is wrong with a ground truth, as plain objects.
 
 use fit4cad::audit;
-use fit4cad::format::Form;
+use fit4cad::diagnostics::Diagnostic;
+use fit4cad::format::{Form, write_surfaces};
 use fit4cad::metrics::accuracy::FitAccuracy;
 use serde::Serialize;
-use tsify::Tsify;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::JsError;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::diagnostic::Severity;
 use crate::primitive::SurfaceType;
+use crate::{Model, hand_over};
 
 /// One thing that is wrong with a ground truth.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
@@ -121,17 +125,6 @@ pub struct Audit {
     pub primitives: Vec<PrimitiveAudit>,
 }
 
-impl Audit {
-    /// The audit of the model of that name.
-    pub fn new(model: &str, audit: &audit::Audit) -> Self {
-        Self {
-            model: model.to_owned(),
-            findings: audit.findings.iter().map(Finding::from).collect(),
-            primitives: audit.primitives.iter().map(PrimitiveAudit::from).collect(),
-        }
-    }
-}
-
 /// One vector that was replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
 pub struct Correction {
@@ -170,6 +163,44 @@ pub struct Corrected {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[tsify(optional)]
     pub implicit: Option<String>,
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Audits the ground truth: its files, and points, parametric and implicit form against each
+    /// other. Without truth only the files.
+    ///
+    /// # Errors
+    /// None in practice: plain values always cross.
+    pub fn audit(&self) -> Result<Ts<Audit>, JsError> {
+        let diagnostics: Vec<Diagnostic> = self.diagnostics_for(None).cloned().collect();
+        let audit = audit::audit(&self.model, &diagnostics);
+        hand_over(&Audit {
+            model: self.model.name.clone(),
+            findings: audit.findings.iter().map(Finding::from).collect(),
+            primitives: audit.primitives.iter().map(PrimitiveAudit::from).collect(),
+        })
+    }
+
+    /// The truth's surface files with vectors that are wrong replaced by exact conversions of
+    /// those that are right.
+    ///
+    /// # Errors
+    /// If there is no truth.
+    pub fn corrected(&self) -> Result<Ts<Corrected>, JsError> {
+        self.segmentation(None)?;
+        let (truth, corrections) = audit::correct(&self.model).unwrap_or_default();
+        let text = |form: Form| {
+            let mut corrections = corrections.iter();
+            let changed = corrections.any(|correction| correction.form == form);
+            changed.then(|| write_surfaces(&truth, form))
+        };
+        hand_over(&Corrected {
+            parametric: text(Form::Parametric),
+            implicit: text(Form::Implicit),
+            corrections: corrections.iter().map(Correction::from).collect(),
+        })
+    }
 }
 
 fn mean(accuracy: FitAccuracy) -> Option<f64> {

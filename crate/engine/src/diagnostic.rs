@@ -16,6 +16,16 @@ pub enum Severity {
     Error,
 }
 
+impl From<diagnostics::Severity> for Severity {
+    fn from(severity: diagnostics::Severity) -> Self {
+        match severity {
+            diagnostics::Severity::Note => Self::Note,
+            diagnostics::Severity::Warning => Self::Warning,
+            diagnostics::Severity::Error => Self::Error,
+        }
+    }
+}
+
 /// One finding about an input.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
 pub struct DiagnosticInfo {
@@ -44,11 +54,7 @@ pub struct DiagnosticInfo {
 impl From<&diagnostics::Diagnostic> for DiagnosticInfo {
     fn from(diagnostic: &diagnostics::Diagnostic) -> Self {
         Self {
-            severity: match diagnostic.severity {
-                diagnostics::Severity::Note => Severity::Note,
-                diagnostics::Severity::Warning => Severity::Warning,
-                diagnostics::Severity::Error => Severity::Error,
-            },
+            severity: diagnostic.severity.into(),
             file: diagnostic.file.clone(),
             line: diagnostic.position.map(|position| position.line),
             column: diagnostic.position.map(|position| position.column),

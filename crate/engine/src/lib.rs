@@ -4,6 +4,7 @@
 //! generated from the Rust ones. Nothing is computed here: each function reads its arguments, calls
 //! the engine and hands the result over. Failures are JavaScript errors with a clear text.
 
+mod audit;
 mod diagnostic;
 mod fit;
 mod group;
@@ -15,9 +16,11 @@ mod model;
 mod part;
 mod primitive;
 mod report;
+mod statistics;
 mod stop;
 mod summary;
 
+pub use audit::{Audit, Corrected, Correction, Finding, FormAudit, PrimitiveAudit};
 pub use diagnostic::{DiagnosticInfo, Severity};
 pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
@@ -30,6 +33,7 @@ pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{
     Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
+pub use statistics::{DatasetStatistics, ModelStatistics, Spread, Types, dataset_statistics};
 pub use summary::{Distribution, distribution};
 
 use tsify::{Ts, Tsify};

@@ -237,7 +237,9 @@ impl Model {
             method.as_deref().unwrap_or("truth"),
             protocol,
             &report,
-            self.diagnostics_for(method.as_deref()),
+            self.diagnostics_for(method.as_deref())
+                .map(DiagnosticInfo::from)
+                .collect(),
         ))
     }
 }
@@ -273,14 +275,13 @@ impl Model {
 
     /// The findings that bear on the score of one method, or of the truth itself: not those about
     /// files of other methods.
-    fn diagnostics_for(&self, method: Option<&str>) -> Vec<DiagnosticInfo> {
-        self.diagnostics
-            .iter()
-            .filter(|diagnostic| {
-                let owner = self.method_of_file.get(&diagnostic.file);
-                owner.is_none_or(|owner| method == Some(owner.as_str()))
-            })
-            .map(DiagnosticInfo::from)
-            .collect()
+    pub(crate) fn diagnostics_for(
+        &self,
+        method: Option<&str>,
+    ) -> impl Iterator<Item = &Diagnostic> {
+        self.diagnostics.iter().filter(move |diagnostic| {
+            let owner = self.method_of_file.get(&diagnostic.file);
+            owner.is_none_or(|owner| method == Some(owner.as_str()))
+        })
     }
 }

@@ -7,12 +7,15 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::hand_over;
+use crate::{Model, hand_over};
 
 /// Number of true primitives of each type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "PascalCase")]
-#[allow(missing_docs, reason = "each is a type, and Other any that is none of the five")]
+#[allow(
+    missing_docs,
+    reason = "each is a type, and Other any that is none of the five"
+)]
 pub struct Types {
     pub plane: u32,
     pub cylinder: u32,
@@ -141,7 +144,20 @@ pub struct DatasetStatistics {
     pub unsegmented_per_model: Option<Spread>,
 }
 
-/// Sums up what [`Model::statistics`](crate::Model::statistics) gave for each of a set of models.
+#[wasm_bindgen]
+impl Model {
+    /// Counts the model's points and true primitives.
+    ///
+    /// # Errors
+    /// None in practice: plain values always cross.
+    pub fn statistics(&self) -> Result<Ts<ModelStatistics>, JsError> {
+        hand_over(&ModelStatistics::from(&statistics::ModelStatistics::of(
+            &self.model,
+        )))
+    }
+}
+
+/// Sums up what [`Model::statistics`] gave for each of a set of models.
 ///
 /// # Errors
 /// Only if the argument is not of the declared type.
