@@ -1,7 +1,7 @@
 // From a list of files to reports: groups them into models, reads and scores one model at a time.
 
 import { createHash } from "node:crypto";
-import { reason, unusable } from "./inputs.mjs";
+import { readInputs, unusable } from "./inputs.mjs";
 
 /**
  * Scores every submission among the files; with `self`, the truth against itself instead. Gives
@@ -32,18 +32,6 @@ export function evaluate(engine, files, { protocol, self = false, progress = () 
     diagnostics.push(...scored.diagnostics);
   });
   return { results, diagnostics };
-}
-
-function readInputs(files, byPath, diagnostics) {
-  const inputs = [];
-  for (const { path, role, method } of files) {
-    try {
-      inputs.push({ path, role, method, bytes: byPath.get(path).read() });
-    } catch (error) {
-      diagnostics.push(unusable(path, reason(error)));
-    }
-  }
-  return inputs;
 }
 
 function hash({ bytes, ...file }) {

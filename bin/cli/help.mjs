@@ -1,8 +1,11 @@
 // What `--help` teaches.
 
-const fit4cad = `fit4cad: score and make segmentations of CAD point clouds, as the Fit4CAD benchmark does
+import { parameterHelp } from "./parameters.mjs";
+
+const fit4cad = () => `fit4cad: fit, score and make segmentations of CAD point clouds, as the Fit4CAD benchmark does
 
   fit4cad score PATH…       score submissions against the ground truth
+  fit4cad fit PATH…         find the primitives of clouds, with method HT or PG
   fit4cad generate PART     make a model with known ground truth
   fit4cad generate --list   the parts it can make
   fit4cad COMMAND --help    what a command reads, prints and means
@@ -16,7 +19,7 @@ Try it on a model of your own making:
 Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
 `;
 
-const score = `fit4cad score PATH… [--protocol definition|published] [--format FORMAT] [--self]
+const score = () => `fit4cad score PATH… [--protocol definition|published] [--format FORMAT] [--self]
 
 Scores every submission found in the given files, folders and zips against the ground truth found
 beside it. Files belong to one model by their names:
@@ -63,7 +66,7 @@ Examples:
 Exit code: 0 all scored, 1 some input unusable, 2 called wrongly.
 `;
 
-const generate = `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [--outliers f] [--missing f] [--imperfect] [--out DIR]
+const generate = () => `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [--outliers f] [--missing f] [--imperfect] [--out DIR]
 fit4cad generate --list
 
 Makes a CAD-like part with its ground truth: the four files of a Fit4CAD model. The same options
@@ -82,4 +85,29 @@ Example:
   fit4cad generate flange --noise 0.001 --out demo && fit4cad score demo --self
 `;
 
-export const HELP = { fit4cad, score, generate };
+async function fit() {
+  return `fit4cad fit --method ht|pg [--out DIR] [--json] [--seed N] [parameters] PATH…
+
+Finds the primitives of every cloud in the given files, folders and zips: which points make up each,
+and its surface. Only the clouds (PC14.txt) are read; truth and submissions beside them are not.
+
+  --method ht    HT: votes in the space of a surface's parameters, a Hough transform
+  --method pg    PG: growing from neighbourhoods
+  --out DIR      writes each model's primitives, parametric and implicit file, in the folders
+                 DIR/pointCloud_primitives_HT and so on, where fit4cad score finds them
+  --json         one entry per model: name, points, seconds of fitting (without reading), and
+                 type, points and mean fitting error of each primitive
+  --seed N       of everything random (default 1); the same seed gives the same primitives
+
+Parameters, with the values allowed and the default:
+${await parameterHelp()}
+Examples:
+  fit4cad fit --method ht PC14.txt
+  fit4cad fit --method pg --out found Fit4CAD-main.zip && fit4cad score Fit4CAD-main.zip found
+  fit4cad fit --method ht --tolerance 0.001 --json scans | jq '.[].primitives | length'
+
+Exit code: 0 all fitted, 1 some input unusable, 2 called wrongly.
+`;
+}
+
+export const HELP = { fit4cad, score, fit, generate };

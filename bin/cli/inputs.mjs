@@ -26,6 +26,19 @@ export function collect(paths) {
   return { files: [...files.values()].sort(byPath), diagnostics };
 }
 
+/** The content of a model's files for `Model.read`; what cannot be read is told and left out. */
+export function readInputs(files, byPath, diagnostics) {
+  const inputs = [];
+  for (const { path, role, method } of files) {
+    try {
+      inputs.push({ path, role, method, bytes: byPath.get(path).read() });
+    } catch (error) {
+      diagnostics.push(unusable(path, reason(error)));
+    }
+  }
+  return inputs;
+}
+
 /** A diagnostic in the engine's form about a whole file. */
 export function unusable(file, message, hint = "", severity = "error") {
   return { severity, file, message, found: "", expected: "", hint };

@@ -10,6 +10,7 @@ const FAILED = 1;
 
 const COMMANDS = {
   score: async () => (await import("./score.mjs")).score,
+  fit: async () => (await import("./fit.mjs")).fit,
   generate: async () => (await import("./generate.mjs")).generate,
 };
 
@@ -38,7 +39,7 @@ export async function main(args) {
 }
 
 async function help(code, topic) {
-  const text = HELP[topic] ?? HELP.fit4cad;
+  const text = await (HELP[topic] ?? HELP.fit4cad)();
   if (code === 0) {
     await print(text);
   } else {

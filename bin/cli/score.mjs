@@ -1,6 +1,7 @@
 // `fit4cad score`.
 
 import { FORMATS } from "../formats/index.mjs";
+import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { evaluate } from "./evaluate.mjs";
 import { collect } from "./inputs.mjs";
@@ -51,12 +52,4 @@ function shownOnTerminal(problems, results, format) {
   }
   const told = new Set(results.flatMap(({ diagnostics }) => diagnostics.map(inOneLine)));
   return problems.filter((problem) => !told.has(inOneLine(problem)));
-}
-
-/** `file:line:column: severity: message (found …, expected …). hint` */
-function inOneLine({ severity, file, line, column, message, found, expected, hint }) {
-  const place = line === undefined || line === null ? "" : `:${line}:${column}`;
-  const details = [found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean);
-  const detail = details.length > 0 ? ` (${details.join(", ")})` : "";
-  return `${file}${place}: ${severity}: ${message}${detail}${hint ? `. ${hint}` : ""}`;
 }

@@ -1,6 +1,6 @@
 // A table for the eye: one aligned row per model and method, then each method's mean.
 
-import { printable } from "../cli/terminal.mjs";
+import { align } from "./align.mjs";
 import { MEASURES, byMethod, meanOf } from "./measures.mjs";
 
 const HEAD = ["model", "method", "points", "truth", "predicted", ...MEASURES, "type errors"];
@@ -17,7 +17,7 @@ export function table(reports) {
     ...MEASURES.map((measure) => figure(report.mean[measure])),
     String(report.type_errors),
   ]);
-  return `${align([HEAD, ...rows, ...meanRows(reports)])}\n`;
+  return `${align([HEAD, ...rows, ...meanRows(reports)], TEXT_COLUMNS)}\n`;
 }
 
 /** The mean over the models of each method that has several. */
@@ -33,19 +33,4 @@ function meanRows(reports) {
 
 function figure(value) {
   return value === null ? "n/a" : value.toFixed(4);
-}
-
-function align(rows) {
-  const clean = rows.map((row) => row.map(printable));
-  const widths = HEAD.map((_, column) => Math.max(...clean.map((row) => row[column].length)));
-  return clean
-    .map((row) =>
-      row
-        .map((cell, column) =>
-          column < TEXT_COLUMNS ? cell.padEnd(widths[column]) : cell.padStart(widths[column]),
-        )
-        .join("  ")
-        .trimEnd(),
-    )
-    .join("\n");
 }

@@ -30,10 +30,10 @@ function scoreZip(bench, label, zip, { runs, most, self = false }) {
   const score = (files) => evaluate(bench.engine, files, { protocol: "definition", self });
   const unpacked = unpack().map(({ path, bytes }) => ({ path, read: () => bytes }));
 
-  const { reports } = score(unpacked);
+  const { results } = score(unpacked);
   const whole = bench.seconds(runs, () => score(listZip(zip).entries));
   const engine = bench.seconds(runs, () => score(unpacked));
-  bench.note(`${label}: ${reports.length} submissions`);
+  bench.note(`${label}: ${results.length} submissions`);
   bench.figure("zip bytes to measures", whole, "s", { most, digits: 3 });
   bench.figure("of it the engine", engine, "s", { digits: 3 });
 }

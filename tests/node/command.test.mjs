@@ -23,6 +23,7 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
     [["score", ".", "--format", "xml"], /expected table, json, csv, latex, markdown/],
     [["score", ".", "--protocol", "mine"], /expected definition, published/],
     [["score", ".", "--colour"], /--colour/],
+    [["fit"], /--method ht/],
     [["generate"], /--list/],
     [["generate", "teapot"], /no part "teapot"/],
     [["generate", "flange", "--seed", "1.5"], /a whole number/],

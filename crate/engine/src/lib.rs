@@ -28,7 +28,7 @@ pub use input::{InputFile, Role};
 pub use lists::PointLists;
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
-pub use part::{PartInfo, SampleOptions, parts};
+pub use part::{DegradationOptions, PartInfo, SampleOptions, parts};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{
     Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,

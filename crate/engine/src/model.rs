@@ -20,7 +20,7 @@ use crate::diagnostic::DiagnosticInfo;
 use crate::hand_over;
 use crate::input::InputFile;
 use crate::lists::PointLists;
-use crate::part::SampleOptions;
+use crate::part::{DegradationOptions, SampleOptions};
 use crate::primitive::PrimitiveInfo;
 use crate::report::{Protocol, Report};
 
@@ -128,6 +128,20 @@ impl Model {
         })
     }
 
+    /// The model as a worse scan would show it, with its truth and without its submissions.
+    ///
+    /// # Errors
+    /// If an option is out of its range.
+    pub fn degraded(&self, options: Ts<DegradationOptions>) -> Result<Model, JsError> {
+        let options = options.to_rust()?;
+        let seed = options.seed.unwrap_or(sample::Options::default().seed);
+        Ok(Self {
+            model: sample::degraded(&self.model, &options.into(), seed)?,
+            diagnostics: self.diagnostics.clone(),
+            method_of_file: BTreeMap::new(),
+        })
+    }
+
     /// What the model holds.
     ///
     /// # Errors
@@ -175,7 +189,7 @@ impl Model {
     pub fn primitives(&self, method: Option<String>) -> Result<Vec<Ts<PrimitiveInfo>>, JsError> {
         let primitives = self.segmentation(method.as_deref())?.primitives.iter();
         primitives
-            .map(|primitive| hand_over(&PrimitiveInfo::from(primitive)))
+            .map(|primitive| hand_over(&PrimitiveInfo::new(&self.model.cloud, primitive)))
             .collect()
     }
 

@@ -1,6 +1,7 @@
 //! Primitives and their surfaces as plain objects.
 
-use fit4cad::cloud::{Direction, Point};
+use fit4cad::cloud::{Cloud, Direction, Point};
+use fit4cad::metrics::accuracy::fit_accuracy;
 use fit4cad::{model, surface};
 use serde::Serialize;
 use tsify::Tsify;
@@ -111,15 +112,22 @@ pub struct PrimitiveInfo {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[tsify(optional)]
     pub surface: Option<SurfaceInfo>,
+    /// Mean fitting error of its points to its surface, where both are there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[tsify(optional)]
+    pub mfe: Option<f64>,
 }
 
-impl From<&model::Primitive> for PrimitiveInfo {
-    fn from(primitive: &model::Primitive) -> Self {
+impl PrimitiveInfo {
+    pub(crate) fn new(cloud: &Cloud, primitive: &model::Primitive) -> Self {
+        let surface = primitive.surface.as_ref();
+        let accuracy = surface.and_then(|it| fit_accuracy(cloud, &primitive.points, it));
         Self {
             number: primitive.number,
             kind: primitive.kind.map(SurfaceType::from),
             size: primitive.points.len() as u32,
-            surface: primitive.surface.as_ref().map(SurfaceInfo::from),
+            surface: surface.map(SurfaceInfo::from),
+            mfe: accuracy.map(|accuracy| accuracy.mfe),
         }
     }
 }

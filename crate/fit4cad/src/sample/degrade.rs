@@ -1,11 +1,75 @@
 //! What scanning does to a cloud: missing regions, noise, outliers.
 
 use super::random::Random;
+use super::{SampleError, check_range};
 use crate::cloud::{Bounds, Point, Vector};
+
+/// How much worse a cloud becomes. The default changes nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Degradation {
+    /// Standard deviation of the normal noise added to each coordinate, 0 to 0.1 of the diagonal
+    /// of the cloud's bounding box.
+    pub noise: f64,
+    /// Outliers per point that is left, 0 to 1: evenly distributed points of no primitive.
+    pub outliers: f64,
+    /// Fraction of the points cut away by balls and half-spaces, 0 to 0.95.
+    pub missing: f64,
+}
+
+impl Degradation {
+    /// # Errors
+    /// [`SampleError::OutOfRange`] names the first value that is not a number in its range.
+    pub fn check(&self) -> Result<(), SampleError> {
+        check_range("noise", self.noise, 0.0, 0.1)?;
+        check_range("outliers", self.outliers, 0.0, 1.0)?;
+        check_range("missing", self.missing, 0.0, 0.95)
+    }
+}
+
+/// A cloud after degradation.
+pub struct Worn {
+    /// The points left, moved by noise, then the outliers.
+    pub points: Vec<Point>,
+    /// Where each of the points before is now.
+    place: Vec<Option<u32>>,
+}
+
+impl Worn {
+    /// What is left of a list of points, by their new indices.
+    pub fn list(&self, points: &[u32]) -> Vec<u32> {
+        let place = |&index: &u32| self.place.get(index as usize).copied().flatten();
+        points.iter().filter_map(place).collect()
+    }
+}
+
+/// Cuts away, shakes and strews, in this order. The same seed gives the same cloud. O(n log n).
+pub fn degrade(points: &[Point], diagonal: f64, by: &Degradation, seed: u64) -> Worn {
+    // Streams below the number of faces serve the faces of generated parts.
+    let stream = |number: u64| Random::new(seed, u64::MAX - number);
+    let kept = if by.missing > 0.0 {
+        keep(points, by.missing, &mut stream(0))
+    } else {
+        vec![true; points.len()]
+    };
+    let mut number = 0;
+    let place = kept.iter().map(|&kept| {
+        number += u32::from(kept);
+        kept.then(|| number - 1)
+    });
+    let place = place.collect();
+    let left = points.iter().zip(&kept).filter(|(_, kept)| **kept);
+    let mut points: Vec<Point> = left.map(|(point, _)| *point).collect();
+    if by.noise > 0.0 {
+        shake(&mut points, by.noise * diagonal, &mut stream(1));
+    }
+    let outliers = (by.outliers * points.len() as f64).round() as usize;
+    points.extend(stray(&points, outliers, &mut stream(2)));
+    Worn { points, place }
+}
 
 /// Which points are left after regions are cut away: balls about points and half-spaces, as a
 /// person would with a lasso, until the given fraction is gone. O(n log n).
-pub fn keep(points: &[Point], fraction: f64, random: &mut Random) -> Vec<bool> {
+fn keep(points: &[Point], fraction: f64, random: &mut Random) -> Vec<bool> {
     const CUTS: usize = 4;
     let mut kept = vec![true; points.len()];
     let goal = (fraction * points.len() as f64).round() as usize;
@@ -44,14 +108,14 @@ pub fn keep(points: &[Point], fraction: f64, random: &mut Random) -> Vec<bool> {
 }
 
 /// Moves every point by independent normal numbers of one standard deviation in x, y and z.
-pub fn shake(points: &mut [Point], deviation: f64, random: &mut Random) {
+fn shake(points: &mut [Point], deviation: f64, random: &mut Random) {
     for point in points {
         *point += Vector::from_fn(|_, _| random.normal()) * deviation;
     }
 }
 
 /// Points evenly distributed in the box of the others, a tenth longer each way.
-pub fn stray(points: &[Point], count: usize, random: &mut Random) -> Vec<Point> {
+fn stray(points: &[Point], count: usize, random: &mut Random) -> Vec<Point> {
     let bounds = Bounds::of(points);
     let (centre, size) = (bounds.centre(), bounds.size());
     let mut draw = || {
@@ -67,5 +131,71 @@ fn direction(random: &mut Random) -> Vector {
         if vector.norm_squared() > 0.01 && vector.norm_squared() < 1.0 {
             return vector.normalize();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{Options, degraded, generate};
+
+    const COARSE: Options = Options {
+        seed: 3,
+        spacing: 0.03,
+        noise: 0.0,
+        outliers: 0.0,
+        missing: 0.0,
+    };
+
+    #[test]
+    fn a_degraded_model_keeps_its_truth_on_the_points_that_are_left() {
+        let model = generate("housing", &COARSE).unwrap();
+        let cut = Degradation {
+            missing: 0.2,
+            ..Degradation::default()
+        };
+        let worse = degraded(&model, &cut, 5).unwrap();
+        let gone = (0.2 * model.cloud.len() as f64).round() as usize;
+        assert_eq!(worse.cloud.len(), model.cloud.len() - gone);
+        for primitive in &worse.truth.unwrap().primitives {
+            let surface = primitive.surface.unwrap();
+            for &index in &primitive.points {
+                let point = &worse.cloud.points()[index as usize];
+                assert!(surface.distance(point) < 1e-9 * model.cloud.bounds().diagonal());
+            }
+        }
+    }
+
+    #[test]
+    fn noise_has_the_deviation_asked_for_and_outliers_belong_to_nothing() {
+        let model = generate("housing", &COARSE).unwrap();
+        let by = Degradation {
+            noise: 0.002,
+            outliers: 0.05,
+            missing: 0.0,
+        };
+        let worse = degraded(&model, &by, 5).unwrap();
+        let count = model.cloud.len();
+        let strays = (0.05 * count as f64).round() as usize;
+        assert_eq!(worse.cloud.len(), count + strays);
+        let moved = model.cloud.points().iter().zip(worse.cloud.points());
+        let square: f64 = moved.map(|(a, b)| (a - b).norm_squared()).sum();
+        let deviation = (square / (3 * count) as f64).sqrt() / model.cloud.bounds().diagonal();
+        assert!((deviation - 0.002).abs() < 0.0001, "{deviation}");
+        let listed = worse.truth.unwrap().primitives;
+        let last = listed.iter().filter_map(|each| each.points.last()).max();
+        assert!((*last.unwrap() as usize) < count);
+    }
+
+    #[test]
+    fn nothing_asked_for_changes_nothing_and_a_wrong_number_is_named() {
+        let model = generate("housing", &COARSE).unwrap();
+        assert_eq!(degraded(&model, &Degradation::default(), 1).unwrap(), model);
+        let by = Degradation {
+            missing: 1.0,
+            ..Degradation::default()
+        };
+        let error = degraded(&model, &by, 1).unwrap_err();
+        assert!(error.to_string().starts_with("missing must be"));
     }
 }

@@ -22,8 +22,8 @@ mod random;
 use blocks::Part;
 use boundary::Boundary;
 pub use catalogue::{PartInfo, parts};
+pub use degrade::Degradation;
 pub use imperfect::imperfect;
-use random::Random;
 
 use crate::cloud::Cloud;
 use crate::model::{Coefficients, Model, Primitive, Segmentation};
@@ -65,24 +65,30 @@ impl Options {
     /// # Errors
     /// [`SampleError::OutOfRange`] names the first option that is not a number in its range.
     pub fn check(&self) -> Result<(), SampleError> {
-        let ranges = [
-            ("spacing", self.spacing, 0.0005, 0.1),
-            ("noise", self.noise, 0.0, 0.1),
-            ("outliers", self.outliers, 0.0, 1.0),
-            ("missing", self.missing, 0.0, 0.95),
-        ];
-        for (option, value, min, max) in ranges {
-            if !(min..=max).contains(&value) {
-                return Err(SampleError::OutOfRange {
-                    option,
-                    value,
-                    min,
-                    max,
-                });
-            }
-        }
-        Ok(())
+        check_range("spacing", self.spacing, 0.0005, 0.1)?;
+        self.degradation().check()
     }
+
+    /// What is to be done to the clean cloud.
+    fn degradation(&self) -> Degradation {
+        Degradation {
+            noise: self.noise,
+            outliers: self.outliers,
+            missing: self.missing,
+        }
+    }
+}
+
+fn check_range(option: &'static str, value: f64, min: f64, max: f64) -> Result<(), SampleError> {
+    if (min..=max).contains(&value) {
+        return Ok(());
+    }
+    Err(SampleError::OutOfRange {
+        option,
+        value,
+        min,
+        max,
+    })
 }
 
 /// Why no model was made.
@@ -146,41 +152,12 @@ pub fn build(name: &str, part: &Part, options: &Options) -> Result<Model, Sample
     let mesh = mesh::mesh(&boundary, spacing, options.seed, MAX_POINTS)?;
     let patches = patches::patches(&boundary, &mesh, spacing);
 
-    // Streams below the number of faces serve the faces.
-    let stream = |number: u64| Random::new(options.seed, u64::MAX - number);
-    let kept = if options.missing > 0.0 {
-        degrade::keep(&mesh.points, options.missing, &mut stream(0))
-    } else {
-        vec![true; mesh.points.len()]
-    };
-    let mut number = 0;
-    let place: Vec<Option<u32>> = kept
-        .iter()
-        .map(|&kept| {
-            number += u32::from(kept);
-            kept.then(|| number - 1)
-        })
-        .collect();
-    let left = mesh.points.iter().zip(&kept).filter(|(_, kept)| **kept);
-    let mut points: Vec<_> = left.map(|(point, _)| *point).collect();
-    if options.noise > 0.0 {
-        degrade::shake(
-            &mut points,
-            options.noise * boundary.diagonal,
-            &mut stream(1),
-        );
-    }
-    let outliers = (options.outliers * points.len() as f64).round() as usize;
-    let outliers = degrade::stray(&points, outliers, &mut stream(2));
-    points.extend(outliers);
+    let degradation = options.degradation();
+    let worn = degrade::degrade(&mesh.points, boundary.diagonal, &degradation, options.seed);
 
     let mut primitives: Vec<Primitive> = Vec::new();
     for patch in patches {
-        let left = patch
-            .points
-            .iter()
-            .filter_map(|&index| place[index as usize]);
-        let points: Vec<u32> = left.collect();
+        let points = worn.list(&patch.points);
         if !points.is_empty() {
             let number = primitives.len() as u32 + 1;
             primitives.push(primitive(number, points, patch.surface));
@@ -188,8 +165,37 @@ pub fn build(name: &str, part: &Part, options: &Options) -> Result<Model, Sample
     }
     Ok(Model {
         name: name.to_owned(),
-        cloud: Cloud::new(points),
+        cloud: Cloud::new(worn.points),
         truth: Some(Segmentation { primitives }),
+        submissions: Vec::new(),
+    })
+}
+
+/// The model as a worse scan would show it, without its submissions. The truth keeps its surfaces
+/// and loses the points that are cut away; primitives of which none is left are left out.
+/// O(n log n).
+///
+/// # Errors
+/// [`SampleError::OutOfRange`] names the first number of `degradation` that is out of its range.
+pub fn degraded(model: &Model, degradation: &Degradation, seed: u64) -> Result<Model, SampleError> {
+    degradation.check()?;
+    let diagonal = model.cloud.bounds().diagonal();
+    let worn = degrade::degrade(model.cloud.points(), diagonal, degradation, seed);
+    let truth = model.truth.as_ref().map(|truth| Segmentation {
+        primitives: truth
+            .primitives
+            .iter()
+            .map(|primitive| Primitive {
+                points: worn.list(&primitive.points),
+                ..primitive.clone()
+            })
+            .filter(|primitive| !primitive.points.is_empty())
+            .collect(),
+    });
+    Ok(Model {
+        name: model.name.clone(),
+        cloud: Cloud::new(worn.points),
+        truth,
         submissions: Vec::new(),
     })
 }
