@@ -1,10 +1,16 @@
-// `npm run bench [-- SECTION…]`: how fast and how big the engine is, measured on the wasm that ships.
-// A section is a file of scripts/bench that exports `name`, `about` and `measure(bench)`.
+// `npm run bench [-- SECTION… [OPTION…]]`: how fast, how big and how good the engine is, measured on
+// the wasm that ships. A section is a file of scripts/bench that exports `name`, `about` and
+// `measure(bench, options)`. Options, for the sections they mean something to:
+//
+//   --models N       at most N models of the training set, evenly spread
+//   --quick          few models and no large clouds: a look, not a measurement
+//   --markdown FILE  writes the tables as Markdown as well
 
-import { readdirSync } from "node:fs";
+import { readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { cpus } from "node:os";
+import { parseArgs } from "node:util";
 import { loadEngine } from "../bin/cli/engine.mjs";
 import { buildWasm } from "./build.mjs";
 import { Bench } from "./lib/bench.mjs";
@@ -18,9 +24,29 @@ async function sections() {
   return Promise.all(files.sort().map((file) => import(pathToFileURL(join(folder, file)).href)));
 }
 
+function readOptions() {
+  const options = {
+    models: { type: "string" },
+    quick: { type: "boolean", default: false },
+    markdown: { type: "string" },
+  };
+  let parsed;
+  try {
+    parsed = parseArgs({ options, allowPositionals: true });
+  } catch (error) {
+    throw new Plain(error.message);
+  }
+  const { values, positionals } = parsed;
+  const models = values.models === undefined ? Infinity : Number(values.models);
+  if (!(models >= 1)) {
+    throw new Plain(`--models ${values.models}: expected a whole number of at least 1`);
+  }
+  return { ...values, models, wanted: positionals };
+}
+
 await main(async () => {
   const all = await sections();
-  const wanted = process.argv.slice(2);
+  const { wanted, ...options } = readOptions();
   const unknown = wanted.find((word) => !all.some(({ name }) => name === word));
   if (unknown) {
     throw new Plain(`no section "${unknown}"; there are ${all.map(({ name }) => name).join(", ")}`);
@@ -28,12 +54,16 @@ await main(async () => {
   await setup();
   await buildWasm();
   const bench = new Bench(await loadEngine());
-  console.log(`${cpus()[0]?.model ?? "unknown processor"}, Node ${process.versions.node}; medians`);
+  const machine = `${cpus()[0]?.model ?? "unknown processor"}, Node ${process.versions.node}`;
+  console.log(`${machine}; medians`);
   for (const section of all) {
     if (wanted.length === 0 || wanted.includes(section.name)) {
       console.log(`\n${section.name}: ${section.about}`);
-      await section.measure(bench);
+      await section.measure(bench, options);
     }
+  }
+  if (options.markdown !== undefined) {
+    writeFileSync(options.markdown, `Measured on ${machine}.\n${bench.markdown}`);
   }
   process.exitCode = bench.missed > 0 ? 1 : 0;
 });

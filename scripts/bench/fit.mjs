@@ -1,29 +1,32 @@
-// Fitting bare clouds.
+// Fitting bare clouds: how well, how robustly, how fast, in how much memory; HT and PG side by side.
 
-import { median } from "../lib/bench.mjs";
+import { accuracy } from "./fit/accuracy.mjs";
+import { degradation } from "./fit/degradation.mjs";
+import { freeForm } from "./fit/free-form.mjs";
+import { growth } from "./fit/growth.mjs";
+import { METHODS, fitted } from "./fit/fitted.mjs";
+import { models } from "./fit/models.mjs";
 
 export const name = "fit";
-export const about = "fitting generated parts as they come, one thread";
+export const about = "fitting bare clouds with HT and PG, one thread, processor time";
 
-const METHODS = ["ht", "pg"];
+export async function measure(bench, { models: most, quick }) {
+  const known = models(bench.engine);
+  if (!known.real) {
+    bench.note("the public files are not at hand; generated parts instead, without bars");
+  }
+  warmUp(bench.engine);
+  accuracy(bench, known, { most: quick ? Math.min(most, 12) : most });
+  degradation(bench, known, { most: quick ? 4 : Math.min(most, 40) });
+  freeForm(bench, known, { most: quick ? 4 : most });
+  await growth(bench, { sizes: quick ? [1e4, 1e5] : [1e4, 1e5, 1e6] });
+}
 
-export function measure(bench) {
-  const models = bench.engine.parts().map((part) => bench.engine.Model.generate(part.name, {}));
-  const points = models.map((model) => model.info().points);
-  bench.note(`${models.length} parts, median ${median(points)} points`);
+/** Lets the machine code of both methods be made before anything is timed. */
+function warmUp(engine) {
+  const model = engine.Model.generate(engine.parts()[0].name, {});
   for (const method of METHODS) {
-    const runs = models.map((model) => {
-      const start = performance.now();
-      const fitted = model.fit(method, {}, 1);
-      const seconds = (performance.now() - start) / 1000;
-      return { seconds, DSC: model.score(fitted, "definition").mean.DSC ?? 0 };
-    });
-    const label = method.toUpperCase();
-    bench.figure(`${label}, median part`, median(runs.map(({ seconds }) => seconds)), "s", { digits: 3 });
-    bench.figure(`${label}, slowest part`, Math.max(...runs.map(({ seconds }) => seconds)), "s", { digits: 3 });
-    bench.figure(`${label}, mean DSC`, runs.reduce((sum, { DSC }) => sum + DSC, 0) / runs.length, "");
+    fitted(model, method);
   }
-  for (const model of models) {
-    model.free();
-  }
+  model.free();
 }
