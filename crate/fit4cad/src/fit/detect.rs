@@ -6,7 +6,8 @@ use super::local::{polish, starts};
 use super::progress::{Cancelled, Observer, Stage};
 use super::search::Search;
 use super::trace::Event;
-use super::{Candidate, Parameters};
+use super::{Candidate, Parameters, axes};
+use crate::cloud::{Direction, Point};
 use crate::surface::{Surface, SurfaceType};
 
 /// Sizes of the neighbourhoods that hypotheses are made from: the small ones fit into fillets and
@@ -121,11 +122,53 @@ pub fn at(search: &mut Search<'_>, pass: Pass, seed: u32) -> Option<Candidate> {
             }
         }
     }
+    if pass == Pass::Borders && candidates.is_empty() {
+        rounded(search, seed, &mut candidates);
+    }
     if pass == Pass::Faces && !candidates.iter().any(|c| search.own(c) >= CLEAR) {
         let patch = search.unexplained_near(seed, SIZES[2]);
         hypotheses(search, pass, SurfaceType::Torus, &patch, &mut candidates);
     }
     search.best(candidates)
+}
+
+/// Adds what a face that is all border may be besides a plane, cylinder and cone: a torus about the
+/// axis of a surface beside it, or a sphere. Through any two rings about an axis there is a sphere
+/// and through any three a torus, so only points on more rows than that count.
+fn rounded(search: &mut Search<'_>, seed: u32, candidates: &mut Vec<Candidate>) {
+    let apart = 8.0 * search.scale.tolerance;
+    for size in [SIZES[1], SIZES[2]] {
+        let patch = search.unexplained_near(seed, size);
+        let points = search.points(&patch);
+        let beside = search.surfaces_beside(&patch);
+        for (origin, axis) in beside.iter().filter_map(axes::axis_of) {
+            let section = axes::half_plane(&points, &origin, &axis);
+            if axes::rows(&section, apart) <= 3 {
+                continue;
+            }
+            for start in robust_tori(&section, &origin, &axis) {
+                grow_start(search, Pass::Borders, &start, &patch, candidates);
+            }
+        }
+        let is_on_rings = beside
+            .iter()
+            .filter_map(axes::axis_of)
+            .any(|(origin, axis)| {
+                axes::rows(&axes::half_plane(&points, &origin, &axis), apart) <= 2
+            });
+        if !is_on_rings {
+            hypotheses(
+                search,
+                Pass::Borders,
+                SurfaceType::Sphere,
+                &patch,
+                candidates,
+            );
+        }
+        if !candidates.is_empty() {
+            return;
+        }
+    }
 }
 
 /// Grows the hypotheses of one family through a patch and adds those worth keeping.
@@ -187,6 +230,16 @@ pub(super) fn grow_start(
     {
         candidates.push(candidate);
     }
+}
+
+/// Tori about an axis through all points of the half-plane, and through the nearest half of them: the
+/// patch may hold points of the faces beside.
+fn robust_tori(section: &[Point], origin: &Point, axis: &Direction) -> Vec<Surface> {
+    let few = &section[..section.len().div_ceil(2)];
+    [section, few]
+        .into_iter()
+        .filter_map(|part| axes::torus(part, origin, axis))
+        .collect()
 }
 
 /// Whether a candidate explains enough that nothing else does, is a face rather than a curve, and

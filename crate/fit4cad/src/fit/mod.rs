@@ -11,6 +11,7 @@
 //!                  local::hypotheses → grow → best → accept
 //! ```
 
+pub mod axes;
 pub mod detect;
 pub mod growing;
 pub mod hough;

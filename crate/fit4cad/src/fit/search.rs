@@ -130,6 +130,26 @@ impl<'a> Search<'a> {
         })
     }
 
+    /// The accepted surfaces that hold some of the points or their neighbours, each once.
+    pub fn surfaces_beside(&self, points: &[u32]) -> Vec<Surface> {
+        let near = points
+            .iter()
+            .flat_map(|&i| self.graph.of(i).iter().take(8).copied());
+        let mut holders: Vec<u32> = points
+            .iter()
+            .copied()
+            .chain(near)
+            .map(|i| self.holder[i as usize])
+            .filter(|&holder| holder != u32::MAX)
+            .collect();
+        holders.sort_unstable();
+        holders.dedup();
+        holders
+            .iter()
+            .map(|&holder| self.accepted[holder as usize].surface)
+            .collect()
+    }
+
     /// Opens the points at which a surface ends and no other takes over. They have one label, and
     /// their neighbours on its surface leave a gap around them: there a face is missing that has no
     /// points of its own, as thin walls, chamfers and countersinks have not. O(n).
@@ -352,7 +372,9 @@ impl<'a> Search<'a> {
     /// ends sharply even where it runs on tangentially into a fillet.
     pub fn has_fuzzy_border(&mut self, candidate: &Candidate) -> bool {
         const NEAR: f64 = 12.0;
-        if !self.scale.is_clean() {
+        // So many exact points on one surface are no accident.
+        const BEYOND_DOUBT: usize = 400;
+        if !self.scale.is_clean() || candidate.support.len() >= BEYOND_DOUBT {
             return false;
         }
         let limit = NEAR * self.scale.tolerance;

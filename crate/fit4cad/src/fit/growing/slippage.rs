@@ -7,7 +7,8 @@
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector6};
 
 use crate::cloud::{Direction, Point, Vector};
-use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, Torus};
+use crate::fit::axes;
+use crate::surface::{Cylinder, Plane, Sphere, Surface};
 
 /// The seven invariance classes of ISO 17450, by the motions that leave a surface in place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -215,52 +216,18 @@ fn sphere(points: &[Point]) -> Option<Surface> {
     crate::fit::local::starts(crate::surface::SurfaceType::Sphere, points).pop()
 }
 
-/// A cone through the line, and a torus through the circle, that fit the points in the half-plane
-/// of (ρ, h) best.
-fn revolute(points: &[Point], point: Point, axis: Direction) -> Vec<Surface> {
-    let along = axis.into_inner();
-    let section: Vec<Point> = points
-        .iter()
-        .map(|p| {
-            let height = (p - point).dot(&along);
-            let radius = (p - point - along * height).norm();
-            Point::new(radius, height, 0.0)
-        })
-        .collect();
-    let mut surfaces = Vec::new();
-    if let Some(spread) = crate::cloud::normals::Spread::of(section.iter()) {
-        let line = spread.directions[2];
-        let (out, up) = (line.x, line.y);
-        if up.abs() > 1e-6 && out.abs() > 1e-6 {
-            let apex = spread.centroid.y - spread.centroid.x * up / out;
-            let half_angle = (out / up).abs().atan();
-            surfaces.push(Surface::Cone(Cone::new(
-                point + along * apex,
-                along,
-                half_angle,
+/// A cone, torus and sphere about the axis.
+fn revolute(points: &[Point], origin: Point, axis: Direction) -> Vec<Surface> {
+    let section = axes::half_plane(points, &origin, &axis);
+    let mut surfaces: Vec<Surface> = axes::cone(&section, &origin, &axis).into_iter().collect();
+    if let Some(torus) = axes::torus(&section, &origin, &axis) {
+        surfaces.push(torus);
+        if let Surface::Torus(shape) = torus {
+            surfaces.push(Surface::Sphere(Sphere::new(
+                shape.centre,
+                shape.minor_radius,
             )));
         }
     }
-    if let Some((centre, minor)) = circle(&section) {
-        let middle = point + along * centre.y;
-        surfaces.push(Surface::Torus(Torus::new(middle, along, centre.x, minor)));
-        surfaces.push(Surface::Sphere(Sphere::new(middle, minor)));
-    }
     surfaces
-}
-
-/// The circle x² + y² = 2ax + 2by + c of least algebraic error.
-fn circle(points: &[Point]) -> Option<(Point, f64)> {
-    let mut matrix = Matrix3::zeros();
-    let mut right = Vector::zeros();
-    for p in points {
-        let row = Vector::new(2.0 * p.x, 2.0 * p.y, 1.0);
-        matrix += row * row.transpose();
-        right += row * (p.x * p.x + p.y * p.y);
-    }
-    let solution = matrix.cholesky()?.solve(&right);
-    let radius = (solution.z + solution.x * solution.x + solution.y * solution.y).sqrt();
-    radius
-        .is_finite()
-        .then(|| (Point::new(solution.x, solution.y, 0.0), radius))
 }
