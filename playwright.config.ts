@@ -11,7 +11,9 @@ export default defineConfig({
   fullyParallel: true,
   // The tests share the processor with a software renderer.
   workers: 1,
-  timeout: 60_000,
+  timeout: 120_000,
+  // Waiting costs nothing where things are quick.
+  expect: { timeout: 20_000 },
   forbidOnly: process.env.CI !== undefined,
   use: {
     baseURL: `http://127.0.0.1:${port}/`,

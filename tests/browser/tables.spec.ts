@@ -1,6 +1,7 @@
 import { expect, open, picture, row, rows, test } from "./support/test";
 import { filesOf, scoreOf } from "./support/engine";
 import { drop, writeAll } from "./support/drop";
+import { contentOf, LEFT } from "./support/pixels";
 
 test("the summary sorts by a measure, both ways and back", async ({ page }) => {
   const folder = test.info().outputPath("three");
@@ -141,4 +142,21 @@ test("what the measures overlook is told, and leads to the primitives", async ({
   await merged.click();
   await expect(merged).toHaveAttribute("aria-pressed", "true");
   await picture(page, "overlooked");
+});
+
+test("the selected primitive can be looked at alone, framed and hidden", async ({ page }) => {
+  await open(page);
+  const canvas = page.locator(".canvas-box canvas");
+  const all = await contentOf(page, canvas, LEFT);
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  await page.locator("table.primitives tbody tr").nth(3).getByRole("rowheader").getByRole("button").click();
+  const tools = page.getByRole("group", { name: "Selected primitive" });
+  await tools.getByRole("button", { name: "Isolate" }).click();
+  await expect.poll(async () => (await contentOf(page, canvas, LEFT)).hues).toBeLessThan(all.hues);
+  await tools.getByRole("button", { name: "Frame" }).click();
+  await picture(page, "isolated");
+  await tools.getByRole("button", { name: "Hide" }).click();
+  await page.getByRole("button", { name: "Show 1 hidden" }).click();
+  await page.getByRole("button", { name: "Fit" }).click();
+  await expect.poll(async () => (await contentOf(page, canvas, LEFT)).hues).toBe(all.hues);
 });

@@ -19,14 +19,11 @@ export const test = base.extend<{ complaints: string[] }>({
   ],
 });
 
-/** Software rendering of a large window beside other work takes its time. */
-const SLOW = 30_000;
-
 /** Opens the page and waits until its sample is scored and drawn. */
 export async function open(page: Page): Promise<void> {
   await page.goto("./");
-  await expect(rows(page)).toHaveCount(1, { timeout: SLOW });
-  await expect(page.locator(".canvas-state")).toHaveCount(0, { timeout: SLOW });
+  await expect(rows(page)).toHaveCount(1);
+  await expect(page.locator(".canvas-state")).toHaveCount(0);
 }
 
 export function rows(page: Page): Locator {

@@ -7,6 +7,7 @@ import { nextTheme } from "../shell/header";
 import { sharing } from "../sharing/share";
 import { shownPanel } from "../shell/panels";
 import { PANELS } from "../shell/registry";
+import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
 import { modelById, models } from "../state/models";
 import { cancelScoring } from "../state/scoring";
 import { selectedMethod, selectedModel, selectedPrimitive, selectModel } from "../state/selection";
@@ -39,7 +40,16 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
       { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
       { key: "x", shown: "X", what: "Stop scoring", run: cancelScoring },
-      { key: "Escape", shown: "Esc", what: "Deselect the primitive", run: () => (selectedPrimitive.value = undefined) },
+    ],
+  },
+  {
+    title: "Selected primitive",
+    shortcuts: [
+      { key: "f", shown: "F", what: "Frame it, or everything", run: frameSelected },
+      { key: "i", shown: "I", what: "Isolate it", run: toggleIsolated },
+      { key: "h", shown: "H", what: "Hide it", run: hideSelected },
+      { key: "a", shown: "A", what: "Show all again", run: showAll },
+      { key: "Escape", shown: "Esc", what: "Deselect it", run: () => (selectedPrimitive.value = undefined) },
     ],
   },
   {

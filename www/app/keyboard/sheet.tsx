@@ -7,23 +7,46 @@ import { keysOn, type ShortcutGroup } from "./shortcuts";
 
 export const keysShown = signal(false);
 
-const TABLES: ShortcutGroup["shortcuts"] = [
-  { key: "", shown: "↑ ↓", what: "Walk the rows", run: () => undefined },
-  { key: "", shown: "Enter", what: "Select the row", run: () => undefined },
+interface Explained {
+  readonly title: string;
+  readonly keys: readonly (readonly [keys: string, what: string])[];
+}
+
+/** What tables and the view listen to themselves, while they have the focus. */
+const ELSEWHERE: readonly Explained[] = [
+  {
+    title: "In tables",
+    keys: [
+      ["↑ ↓", "Walk the rows"],
+      ["Home End", "First and last row"],
+      ["Enter", "Select the row"],
+    ],
+  },
+  {
+    title: "In the view",
+    keys: [
+      ["← ↑ → ↓", "Turn; with Shift, move"],
+      ["+ −", "Enlarge, reduce"],
+      [", .", "Roll"],
+      ["1 … 7", "Look from a side"],
+      ["0", "Fit to the window"],
+      ["O", "Orthographic or perspective"],
+    ],
+  },
 ];
 
 export function KeySheet({ groups }: { groups: readonly ShortcutGroup[] }): JSX.Element {
   return (
     <Dialog open={keysShown} title="Keyboard" className="keys">
       <div class="key-groups">
-        {[...groups, { title: "In tables", shortcuts: TABLES }].map(({ title, shortcuts }) => (
+        {[...groups.map(explained), ...ELSEWHERE].map(({ title, keys }) => (
           <section key={title}>
             <h3>{title}</h3>
             <dl>
-              {shortcuts.map(({ key, shown, what }) => (
+              {keys.map(([key, what]) => (
                 <div key={what}>
                   <dt>
-                    <kbd>{shown ?? key}</kbd>
+                    <kbd>{key}</kbd>
                   </dt>
                   <dd>{what}</dd>
                 </div>
@@ -42,4 +65,8 @@ export function KeySheet({ groups }: { groups: readonly ShortcutGroup[] }): JSX.
       </label>
     </Dialog>
   );
+}
+
+function explained({ title, shortcuts }: ShortcutGroup): Explained {
+  return { title, keys: shortcuts.map(({ key, shown, what }) => [shown ?? key, what]) };
 }

@@ -8,6 +8,7 @@ import { isDark, protocol } from "../state/settings";
 import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
 import { labelling, pairOf, table, type Labelling, type Shown } from "./colouring";
+import { hidden, isolated } from "./isolation";
 import { linkSurfaces } from "./surfaces";
 import { awaitedCamera, restingCamera } from "./camera";
 import { colourMode, eyeDome, pointSize, projection, unsegmentedShown } from "./display";
@@ -85,11 +86,14 @@ function colour(view: PointView, side: Side, what: Labelling): void {
 function states(side: Side, { scene, report }: Shown): LabelState[] {
   const mode = colourMode.value;
   const zero = unsegmentedShown.value === "on" ? LabelState.Shown : LabelState.Hidden;
-  if (mode === "outcome" || (mode === "figure" && side === 1)) return [zero];
+  // The outcome alone has colour; the rest of the object only tells where.
+  if (mode === "outcome") return [zero === LabelState.Shown && selectedPrimitive.value ? LabelState.Faded : zero];
+  if (mode === "figure" && side === 1) return [zero];
   const count = (side === 0 ? scene.truth : scene.prediction)?.primitives.length ?? 0;
   const selected = selectedPrimitive.value;
   const hovered = hoveredPrimitive.value;
-  const rest = selected ? LabelState.Faded : LabelState.Shown;
+  const aside = isolated.value ? LabelState.Hidden : LabelState.Faded;
+  const rest = selected ? aside : LabelState.Shown;
   const all = new Array<LabelState>(count + 1).fill(rest);
   all[0] = zero === LabelState.Hidden ? zero : rest;
   const raise = (ref: PrimitiveRef | undefined, state: LabelState) => {
@@ -98,6 +102,7 @@ function states(side: Side, { scene, report }: Shown): LabelState[] {
   };
   raise(selected, LabelState.Shown);
   raise(hovered, LabelState.Highlighted);
+  for (const ref of hidden.value) raise(ref, LabelState.Hidden);
   return all;
 
   function placeOn(on: Side, ref: PrimitiveRef): number | undefined {

@@ -8,12 +8,12 @@ import type { PointView } from "../view/point-view";
 import type { Hit, ViewUnavailable } from "../view/types";
 import { ViewCanvas } from "../view/view-canvas";
 import { layout, wipeAt } from "./display";
+import { currentView } from "./isolation";
 import { Legend } from "./legend";
 import { link } from "./link";
 import { Tools } from "./tools";
 import { primitiveAt, Tooltip, type Pointed } from "./tooltip";
 
-const view = signal<PointView | undefined>(undefined);
 const unavailable = signal<ViewUnavailable | undefined>(undefined);
 const pointed = signal<Pointed | undefined>(undefined);
 
@@ -21,7 +21,7 @@ export function Picture(): JSX.Element {
   const current = layout.value;
   return (
     <div class="picture">
-      <Tools view={view.value} />
+      <Tools view={currentView.value} />
       <div class="canvas-box" data-layout={current.kind}>
         <ViewCanvas
           label="Points of the selected model. Drag, or use the arrow keys, to turn; plus and minus enlarge."
@@ -46,7 +46,7 @@ export function Picture(): JSX.Element {
 
 function attach(created: PointView): () => void {
   const unlink = link(created);
-  view.value = created;
+  currentView.value = created;
   const refOf = (hit: Hit | undefined): PrimitiveRef | undefined => {
     const found = hit && primitiveAt(hit);
     return found && { side: found.side, index: found.place };
@@ -71,7 +71,7 @@ function attach(created: PointView): () => void {
   });
   return () => {
     unlink();
-    view.value = undefined;
+    currentView.value = undefined;
     pointed.value = undefined;
   };
 }
@@ -92,7 +92,7 @@ function State(): JSX.Element | null {
       </p>
     );
   }
-  if (state.kind === "loading" || !view.value) return <p class="canvas-state">Opening…</p>;
+  if (state.kind === "loading" || !currentView.value) return <p class="canvas-state">Opening…</p>;
   if (state.kind === "none") return <p class="canvas-state">Choose a model to see its points.</p>;
   return null;
 }

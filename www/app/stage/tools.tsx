@@ -17,6 +17,7 @@ import {
   unsegmentedShown,
   type Arrangement,
 } from "./display";
+import { SelectionTools } from "./selection-tools";
 
 export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
   return (
@@ -85,6 +86,7 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
           <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
         </div>
       </Popover>
+      <SelectionTools />
     </div>
   );
 }

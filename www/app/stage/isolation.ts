@@ -1,0 +1,41 @@
+// Looking at the selected primitive alone, and putting primitives out of sight.
+
+import { effect, signal } from "@preact/signals";
+import type { PointView } from "../view/point-view";
+import { selectedModel, selectedPrimitive, type PrimitiveRef } from "../state/selection";
+
+/** The view on the page, once it is there. */
+export const currentView = signal<PointView | undefined>(undefined);
+
+/** Whether everything but the selected primitive and its partner is out of sight. */
+export const isolated = signal(false);
+/** Primitives put out of sight, with their partners. */
+export const hidden = signal<readonly PrimitiveRef[]>([]);
+
+effect(() => {
+  // Places mean something else in another model.
+  void selectedModel.value;
+  hidden.value = [];
+});
+
+export function toggleIsolated(): void {
+  if (selectedPrimitive.value) isolated.value = !isolated.value;
+}
+
+export function hideSelected(): void {
+  const ref = selectedPrimitive.value;
+  if (!ref) return;
+  hidden.value = [...hidden.value, ref];
+  selectedPrimitive.value = undefined;
+}
+
+export function showAll(): void {
+  hidden.value = [];
+  isolated.value = false;
+}
+
+export function frameSelected(): void {
+  const ref = selectedPrimitive.value;
+  if (ref) currentView.value?.fitLabels(ref.side === "truth" ? 0 : 1, [ref.index + 1]);
+  else currentView.value?.fit();
+}

@@ -1,0 +1,49 @@
+// What can be done with the selected primitive.
+
+import type { JSX } from "preact";
+import { computed } from "@preact/signals";
+import { scene } from "../state/scene";
+import { selectedPrimitive } from "../state/selection";
+import { Icon } from "../ui/icon";
+import { frameSelected, hidden, hideSelected, isolated, showAll, toggleIsolated } from "./isolation";
+
+const name = computed(() => {
+  const ref = selectedPrimitive.value;
+  const state = scene.value;
+  if (!ref || state.kind !== "ready") return undefined;
+  const segmentation = ref.side === "truth" ? state.scene.truth : state.scene.prediction;
+  const primitive = segmentation?.primitives[ref.index];
+  return primitive && `${ref.side === "truth" ? "True" : "Predicted"} ${primitive.number}: ${primitive.type ?? "other"}`;
+});
+
+export function SelectionTools(): JSX.Element | null {
+  if (!name.value && hidden.value.length === 0) return null;
+  return (
+    <div class="selection-tools" role="group" aria-label="Selected primitive">
+      {name.value && (
+        <>
+          <strong>{name.value}</strong>
+          <button type="button" title="Frame (F)" onClick={frameSelected}>
+            Frame
+          </button>
+          <button type="button" title="Isolate (I)" aria-pressed={isolated.value} onClick={toggleIsolated}>
+            Isolate
+          </button>
+          <button type="button" title="Hide (H)" onClick={hideSelected}>
+            Hide
+          </button>
+        </>
+      )}
+      {hidden.value.length > 0 && (
+        <button type="button" title="Show all (A)" onClick={showAll}>
+          Show {hidden.value.length} hidden
+        </button>
+      )}
+      {name.value && (
+        <button type="button" class="icon" aria-label="Deselect" title="Deselect (Esc)" onClick={() => (selectedPrimitive.value = undefined)}>
+          <Icon name="close" />
+        </button>
+      )}
+    </div>
+  );
+}
