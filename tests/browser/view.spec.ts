@@ -152,14 +152,34 @@ test("hovering tells the point once, and when it is left", async ({ stage }) => 
     window.harness.view.on("hover", (hit) => heard.push(hit));
     Object.assign(window, { heard });
   });
+  const heard = () => stage.evaluate(() => (window as unknown as { heard: (Hit | undefined)[] }).heard);
   await stage.mouse.move(200, 230);
-  await stage.evaluate(() => window.harness.rest());
+  await expect.poll(heard).toHaveLength(1);
+  expect((await heard())[0]?.side).toBe(0);
   await stage.mouse.move(3, 3);
-  await stage.evaluate(() => window.harness.rest());
-  const heard = await stage.evaluate(() => (window as unknown as { heard: (Hit | undefined)[] }).heard);
-  expect(heard).toHaveLength(2);
-  expect(heard[0]?.side).toBe(0);
-  expect(heard[1] ?? undefined).toBeUndefined();
+  await expect.poll(heard).toHaveLength(2);
+  expect((await heard())[1] ?? undefined).toBeUndefined();
+});
+
+test("a click and a double click tell the point, a drag does not", async ({ stage }) => {
+  await stage.evaluate(() => {
+    const heard: string[] = [];
+    window.harness.view.on("click", (hit) => heard.push(`click ${hit?.side}`));
+    window.harness.view.on("doubleClick", (hit) => heard.push(`double ${hit?.side}`));
+    Object.assign(window, { heard });
+  });
+  const heard = () => stage.evaluate(() => (window as unknown as { heard: string[] }).heard);
+  await stage.mouse.click(600, 230);
+  await expect.poll(heard).toEqual(["click 1"]);
+  await stage.waitForTimeout(400);
+  await stage.mouse.dblclick(200, 230);
+  await expect.poll(heard).toEqual(["click 1", "click 0", "double 0"]);
+  await stage.mouse.move(200, 230);
+  await stage.mouse.down();
+  await stage.mouse.move(230, 230, { steps: 3 });
+  await stage.mouse.up();
+  await stage.mouse.click(3, 3);
+  await expect.poll(heard).toEqual(["click 1", "click 0", "double 0", "click undefined"]);
 });
 
 test("mouse, wheel and keys turn, move and enlarge", async ({ stage }) => {

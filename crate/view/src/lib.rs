@@ -19,6 +19,7 @@ pub mod motion;
 pub mod palette;
 pub mod patch;
 pub mod picking;
+pub mod picture;
 pub mod points;
 pub mod renderer;
 pub mod scene;

@@ -4,7 +4,7 @@
 use glam::Vec2;
 use web_sys::{WebGlBuffer, WebGlSync};
 
-use crate::gl::{Gl, GlError, IdTarget};
+use crate::gl::{Gl, GlError, ReadTarget};
 use crate::layout::{Rect, Side};
 use crate::points::{Points, Sight};
 use crate::select::Region;
@@ -35,7 +35,7 @@ struct Pending {
 /// Draws and reads the numbers.
 #[derive(Debug)]
 pub struct Picker {
-    target: IdTarget,
+    target: ReadTarget,
     pixels: WebGlBuffer,
     pending: Option<Pending>,
 }
@@ -44,7 +44,7 @@ impl Picker {
     /// A picker with nothing to do.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         Ok(Self {
-            target: IdTarget::new(gl, SIDE, SIDE)?,
+            target: ReadTarget::new(gl, SIDE, SIDE)?,
             pixels: gl.create_buffer().ok_or(GlError::Lost)?,
             pending: None,
         })
@@ -135,15 +135,13 @@ pub fn visible_in(
     if width == 0 || height == 0 {
         return Ok(Vec::new());
     }
-    let target = IdTarget::new(gl, width, height)?;
+    let target = ReadTarget::new(gl, width, height)?;
     draw_ids(gl, &target, points, sight, around);
     let mut pixels = vec![0_u8; width.unsigned_abs() as usize * height.unsigned_abs() as usize * 4];
-    let (format, kind) = (Gl::RGBA, Gl::UNSIGNED_BYTE);
-    let read =
-        gl.read_pixels_with_opt_u8_array(0, 0, width, height, format, kind, Some(&mut pixels));
+    let read = target.read(gl, &mut pixels);
     gl.bind_framebuffer(Gl::FRAMEBUFFER, None);
     target.delete(gl);
-    read.map_err(|_| GlError::Read)?;
+    read?;
     Ok(inside(&pixels, around, region))
 }
 
@@ -166,7 +164,7 @@ fn inside(pixels: &[u8], around: Rect, region: &Region) -> Vec<u32> {
 
 /// Draws the numbers in a region of the canvas. The whole pane's picture is drawn with a viewport
 /// shifted so that the region falls onto the target, which clips the rest.
-fn draw_ids(gl: &Gl, target: &IdTarget, points: &Points, sight: &Sight, region: Rect) {
+fn draw_ids(gl: &Gl, target: &ReadTarget, points: &Points, sight: &Sight, region: Rect) {
     target.bind(gl);
     gl.disable(Gl::SCISSOR_TEST);
     gl.clear_color(0.0, 0.0, 0.0, 0.0);

@@ -1,14 +1,17 @@
 //! Draws a scene: points into a target of their own, then onto the canvas with eye-dome lighting.
 
 use glam::{Vec2, Vec4};
+use js_sys::Int32Array;
+use wasm_bindgen::JsCast;
 
 use crate::eye_dome::{EyeDome, Finish};
 use crate::gizmo;
-use crate::gl::{Export, Gl, GlError, SceneTarget};
+use crate::gl::{Gl, GlError, ReadTarget, SceneTarget};
 use crate::layout::{Pane, Rect};
 use crate::lines::{LineBuffer, Lines};
 use crate::patch::Patches;
 use crate::picking::Picker;
+use crate::picture::{Picture, TILE};
 use crate::points::Points;
 use crate::scene::{Frame, Scene};
 
@@ -16,8 +19,6 @@ use crate::scene::{Frame, Scene};
 const EYE_DOME_RADIUS: f32 = 1.4;
 /// Width of the outline around highlighted points in pixels of the page.
 const OUTLINE_WIDTH: f32 = 1.5;
-/// Greatest side of a tile of a saved picture, without its margin.
-const TILE: i32 = 2048;
 
 /// What the graphics card holds. All of it can be made again from the scene.
 #[derive(Debug)]
@@ -104,8 +105,9 @@ impl Renderer {
         Ok(())
     }
 
-    /// Draws a picture of any size, in tiles where it is large, and returns it as r g b a with
-    /// straight alpha, uppermost row first.
+    /// Draws a picture to be saved, in tiles where it is large, and returns it as r g b a with
+    /// straight alpha, uppermost row first. Every pixel is the mean of four that are drawn, unless
+    /// that would be more than the driver can do.
     pub fn picture(
         &mut self,
         gl: &Gl,
@@ -114,38 +116,51 @@ impl Renderer {
         opacity: f32,
     ) -> Result<Vec<u8>, GlError> {
         self.sync(gl, scene);
+        let (width, height) = greatest_picture(gl);
+        let fits = |factor: i32| {
+            (1..=width / factor).contains(&frame.width)
+                && (1..=height / factor).contains(&frame.height)
+        };
+        let Some(factor) = [2, 1].into_iter().find(|&factor| fits(factor)) else {
+            return Err(GlError::TooLarge { width, height });
+        };
+        let mut picture = Picture::new(frame.width, frame.height, factor);
+        let frame = Frame {
+            width: frame.width * factor,
+            height: frame.height * factor,
+            pixel_ratio: frame.pixel_ratio * factor as f32,
+        };
         // Shading and outlines look at neighbours: tiles overlap by as much.
         let margin = (frame.pixel_ratio * 4.0).ceil() as i32;
-        let (width, height) = (frame.width.max(1), frame.height.max(1));
-        let side = TILE + 2 * margin;
-        let size = (side.min(width + 2 * margin), side.min(height + 2 * margin));
+        let size = (
+            TILE.min(frame.width) + 2 * margin,
+            TILE.min(frame.height) + 2 * margin,
+        );
         let target = SceneTarget::new(gl, size.0, size.1)?;
-        let export = Export::new(gl, size.0, size.1)?;
-        let mut picture = Picture::new(width, height);
+        let output = ReadTarget::new(gl, size.0, size.1)?;
         let mut pixels = vec![0_u8; size.0 as usize * size.1 as usize * 4];
         let mut result = Ok(());
-        'tiles: for y in (0..height).step_by(TILE as usize) {
-            for x in (0..width).step_by(TILE as usize) {
-                let shot = Shot {
-                    scene,
-                    frame,
-                    tile: Rect::new(x - margin, y - margin, size.0, size.1),
-                    count: usize::MAX,
-                    background: scene.background(opacity),
-                };
-                self.draw_points(gl, &target, &shot);
-                export.bind(gl);
-                self.finish(gl, &target, &shot);
-                result = export.read(gl, &mut pixels);
-                if result.is_err() {
-                    break 'tiles;
-                }
-                picture.place(x, y, &pixels, size.0, margin);
+        let starts = |length: i32| (0..length).step_by(TILE as usize);
+        for (x, y) in starts(frame.height).flat_map(|y| starts(frame.width).map(move |x| (x, y))) {
+            let shot = Shot {
+                scene,
+                frame: &frame,
+                tile: Rect::new(x - margin, y - margin, size.0, size.1),
+                count: usize::MAX,
+                background: scene.background(opacity),
+            };
+            self.draw_points(gl, &target, &shot);
+            output.bind(gl);
+            self.finish(gl, &target, &shot);
+            result = output.read(gl, &mut pixels);
+            if result.is_err() {
+                break;
             }
+            picture.add(x, y, &pixels, size.0, margin);
         }
         gl.bind_framebuffer(Gl::FRAMEBUFFER, None);
         target.delete(gl);
-        export.delete(gl);
+        output.delete(gl);
         result.map(|()| picture.into_straight_alpha())
     }
 
@@ -241,83 +256,12 @@ impl Shot<'_> {
     }
 }
 
-/// A picture put together from tiles.
-struct Picture {
-    width: usize,
-    height: usize,
-    pixels: Vec<[u8; 4]>,
-}
-
-impl Picture {
-    fn new(width: i32, height: i32) -> Self {
-        let (width, height) = (
-            width.unsigned_abs() as usize,
-            height.unsigned_abs() as usize,
-        );
-        Self {
-            width,
-            height,
-            pixels: vec![[0; 4]; width * height],
-        }
-    }
-
-    /// Copies a tile whose lower left pixel, without its margin, is at (x, y) from below.
-    fn place(&mut self, x: i32, y: i32, tile: &[u8], tile_width: i32, margin: i32) {
-        let (tile, _) = tile.as_chunks::<4>();
-        let (x, y) = (x.unsigned_abs() as usize, y.unsigned_abs() as usize);
-        let (tile_width, margin) = (
-            tile_width.unsigned_abs() as usize,
-            margin.unsigned_abs() as usize,
-        );
-        let inner = tile_width.saturating_sub(2 * margin);
-        let columns = inner.min(self.width.saturating_sub(x));
-        let rows = tile.chunks_exact(tile_width.max(1)).skip(margin);
-        for (row, source) in (y..self.height.min(y + TILE as usize)).zip(rows) {
-            let start = (self.height - 1 - row) * self.width + x;
-            let target = self.pixels.get_mut(start..start + columns);
-            if let (Some(target), Some(source)) = (target, source.get(margin..margin + columns)) {
-                target.copy_from_slice(source);
-            }
-        }
-    }
-
-    /// Divides the colours by their alpha, as image files want them.
-    fn into_straight_alpha(mut self) -> Vec<u8> {
-        for [r, g, b, a] in &mut self.pixels {
-            if *a != 0 && *a != 255 {
-                for channel in [r, g, b] {
-                    let straight = (u32::from(*channel) * 255 + u32::from(*a) / 2) / u32::from(*a);
-                    *channel = u8::try_from(straight).unwrap_or(255);
-                }
-            }
-        }
-        self.pixels.into_flattened()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tiles_land_where_they_belong_and_the_picture_is_upright() {
-        let mut picture = Picture::new(3, 2);
-        // A tile of 5 × 4 with a margin of one pixel; its inner lower left pixel is number 6.
-        let tile: Vec<u8> = (0..20).flat_map(|number| [number, 0, 0, 255]).collect();
-        picture.place(0, 0, &tile, 5, 1);
-        let reds: Vec<u8> = picture
-            .into_straight_alpha()
-            .iter()
-            .step_by(4)
-            .copied()
-            .collect();
-        assert_eq!(reds, [11, 12, 13, 6, 7, 8]);
-    }
-
-    #[test]
-    fn premultiplied_colours_become_straight() {
-        let mut picture = Picture::new(1, 1);
-        picture.pixels[0] = [64, 128, 0, 128];
-        assert_eq!(picture.into_straight_alpha(), [128, 255, 0, 128]);
+/// The greatest width and height that a viewport can have. WebGL2 grants 2048.
+fn greatest_picture(gl: &Gl) -> (i32, i32) {
+    let dims = gl.get_parameter(Gl::MAX_VIEWPORT_DIMS).ok();
+    let dims = dims.and_then(|dims| dims.dyn_into::<Int32Array>().ok());
+    match dims.map(|dims| dims.to_vec()).as_deref() {
+        Some(&[width, height]) => (width, height),
+        _ => (2048, 2048),
     }
 }

@@ -69,7 +69,8 @@ export class PointView {
     }
     const gl = canvas.getContext("webgl2", {
       alpha: false,
-      antialias: true,
+      // Points are not smoothed by it, and lines smooth themselves.
+      antialias: false,
       depth: true,
       powerPreference: "high-performance",
       preserveDrawingBuffer: false,

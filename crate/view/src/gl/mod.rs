@@ -9,7 +9,7 @@ mod targets;
 
 pub use buffers::{Buffer, VertexArray};
 pub use program::Program;
-pub use targets::{Export, IdTarget, SceneTarget, Texture};
+pub use targets::{ReadTarget, SceneTarget, Texture};
 pub use web_sys::WebGl2RenderingContext as Gl;
 
 /// What can go wrong between the renderer and the graphics driver.
@@ -30,6 +30,14 @@ pub enum GlError {
         height: i32,
         /// What `checkFramebufferStatus` said.
         status: u32,
+    },
+    /// A picture is larger than the driver can draw.
+    #[error("a picture can be at most {width} × {height} pixels here; ask for a smaller one")]
+    TooLarge {
+        /// Greatest width in pixels.
+        width: i32,
+        /// Greatest height in pixels.
+        height: i32,
     },
     /// Pixels could not be read back.
     #[error("the picture could not be read back from the graphics driver")]

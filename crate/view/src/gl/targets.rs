@@ -136,32 +136,31 @@ fn renderbuffer(
     gl: &Gl,
     place: u32,
     format: u32,
-    samples: i32,
     (width, height): (i32, i32),
 ) -> Result<WebGlRenderbuffer, GlError> {
     let buffer = gl.create_renderbuffer().ok_or(GlError::Lost)?;
     gl.bind_renderbuffer(Gl::RENDERBUFFER, Some(&buffer));
-    gl.renderbuffer_storage_multisample(Gl::RENDERBUFFER, samples, format, width, height);
+    gl.renderbuffer_storage(Gl::RENDERBUFFER, format, width, height);
     gl.framebuffer_renderbuffer(Gl::FRAMEBUFFER, place, Gl::RENDERBUFFER, Some(&buffer));
     Ok(buffer)
 }
 
-/// Where the numbers of points are drawn, to be read back.
+/// A target that is read back: the numbers of points, or a picture to be saved.
 #[derive(Debug)]
-pub struct IdTarget {
+pub struct ReadTarget {
     framebuffer: WebGlFramebuffer,
     buffers: [WebGlRenderbuffer; 2],
     size: (i32, i32),
 }
 
-impl IdTarget {
+impl ReadTarget {
     /// A target of the given size.
     pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
         let framebuffer = framebuffer(gl)?;
         let size = (width, height);
         let buffers = [
-            renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, 0, size)?,
-            renderbuffer(gl, Gl::DEPTH_ATTACHMENT, Gl::DEPTH_COMPONENT24, 0, size)?,
+            renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, size)?,
+            renderbuffer(gl, Gl::DEPTH_ATTACHMENT, Gl::DEPTH_COMPONENT24, size)?,
         ];
         check(gl, width, height)?;
         Ok(Self {
@@ -171,9 +170,12 @@ impl IdTarget {
         })
     }
 
-    /// Size in pixels.
-    pub fn size(&self) -> (i32, i32) {
-        self.size
+    /// Reads what was drawn, r g b a, lowest row first. Waits for the graphics card.
+    pub fn read(&self, gl: &Gl, into: &mut [u8]) -> Result<(), GlError> {
+        self.bind(gl);
+        let ((width, height), format, kind) = (self.size, Gl::RGBA, Gl::UNSIGNED_BYTE);
+        gl.read_pixels_with_opt_u8_array(0, 0, width, height, format, kind, Some(into))
+            .map_err(|_| GlError::Read)
     }
 
     /// Makes it the target of drawing and reading.
@@ -184,65 +186,6 @@ impl IdTarget {
     /// Gives the memory back.
     pub fn delete(&self, gl: &Gl) {
         gl.delete_framebuffer(Some(&self.framebuffer));
-        for buffer in &self.buffers {
-            gl.delete_renderbuffer(Some(buffer));
-        }
-    }
-}
-
-/// Where a picture is drawn that is saved and not shown: multisampled, then resolved.
-#[derive(Debug)]
-pub struct Export {
-    drawn: WebGlFramebuffer,
-    resolved: WebGlFramebuffer,
-    buffers: [WebGlRenderbuffer; 3],
-    size: (i32, i32),
-}
-
-impl Export {
-    const SAMPLES: i32 = 4;
-
-    /// A target of the given size.
-    pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
-        let size = (width, height);
-        let drawn = framebuffer(gl)?;
-        let colour = renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, Self::SAMPLES, size)?;
-        let format = Gl::DEPTH_COMPONENT24;
-        let depth = renderbuffer(gl, Gl::DEPTH_ATTACHMENT, format, Self::SAMPLES, size)?;
-        check(gl, width, height)?;
-        let resolved = framebuffer(gl)?;
-        let plain = renderbuffer(gl, Gl::COLOR_ATTACHMENT0, Gl::RGBA8, 0, size)?;
-        check(gl, width, height)?;
-        Ok(Self {
-            drawn,
-            resolved,
-            buffers: [colour, depth, plain],
-            size,
-        })
-    }
-
-    /// Makes it the target of drawing.
-    pub fn bind(&self, gl: &Gl) {
-        gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&self.drawn));
-    }
-
-    /// Resolves what was drawn and reads it, r g b a, lowest row first.
-    pub fn read(&self, gl: &Gl, into: &mut [u8]) -> Result<(), GlError> {
-        let (width, height) = self.size;
-        gl.bind_framebuffer(Gl::READ_FRAMEBUFFER, Some(&self.drawn));
-        gl.bind_framebuffer(Gl::DRAW_FRAMEBUFFER, Some(&self.resolved));
-        let (bits, filter) = (Gl::COLOR_BUFFER_BIT, Gl::NEAREST);
-        gl.blit_framebuffer(0, 0, width, height, 0, 0, width, height, bits, filter);
-        gl.bind_framebuffer(Gl::FRAMEBUFFER, Some(&self.resolved));
-        let (format, kind) = (Gl::RGBA, Gl::UNSIGNED_BYTE);
-        gl.read_pixels_with_opt_u8_array(0, 0, width, height, format, kind, Some(into))
-            .map_err(|_| GlError::Read)
-    }
-
-    /// Gives the memory back.
-    pub fn delete(&self, gl: &Gl) {
-        gl.delete_framebuffer(Some(&self.drawn));
-        gl.delete_framebuffer(Some(&self.resolved));
         for buffer in &self.buffers {
             gl.delete_renderbuffer(Some(buffer));
         }
