@@ -1,63 +1,170 @@
-import type { Page } from "@playwright/test";
+import AxeBuilder from "@axe-core/playwright";
+import { readFragment, writeFragment } from "../../www/app/sharing/codec/link";
 import { expect, open, picture, row, rows, test } from "./support/test";
-import { filesOf, scoreOf } from "./support/engine";
-import { drop, writeAll } from "./support/drop";
+import { filesOf, scoreOf, scoreOfSample } from "./support/engine";
+import { claims, dropFiles, linkOf, openLink } from "./support/sharing";
 
-/** The link of what is on the page. */
-async function linkOf(page: Page): Promise<string> {
-  await page.getByRole("button", { name: "Share", exact: true }).click();
-  const link = page.getByLabel("Link", { exact: true });
-  await expect(link).toHaveValue(/#share=1\./);
-  const value = await link.inputValue();
-  await page.keyboard.press("Escape");
-  return value;
-}
-
-function claims(page: Page) {
-  return page.locator("table.claims tbody tr");
-}
-
-async function dropFiles(page: Page, name: string, files: { path: string; text: string }[]): Promise<void> {
-  const folder = test.info().outputPath(name);
-  await writeAll(folder, files);
-  await drop(page, [folder]);
+/** A link with its results changed, as a cheat would. */
+function tampered(link: string, change: (results: ReturnType<typeof readFragment>) => ReturnType<typeof readFragment>): string {
+  const [page = "", fragment = ""] = link.split("#");
+  return page + writeFragment(change(readFragment(fragment)));
 }
 
 test("a shared link shows its figures as claimed, and as verified once the same files are dropped", async ({ page }) => {
-  const files = [...filesOf("bracket", "PC7"), ...filesOf("flange", "PC8")];
+  const [bracket, flange] = [filesOf("bracket", "PC7"), filesOf("flange", "PC8")];
   await open(page);
-  await dropFiles(page, "mine", files);
+  await dropFiles(page, "mine", [...bracket, ...flange]);
   await expect(rows(page)).toHaveCount(2);
-  const link = await linkOf(page);
-
-  // Another person, who has nothing but the link.
-  await page.goto("about:blank");
-  await page.goto(link);
+  await openLink(page, await linkOf(page));
   await expect(claims(page)).toHaveCount(2);
   await expect(claims(page).getByText("as claimed")).toHaveCount(2);
   await expect(page.locator(".banner")).toContainText("As claimed.");
   const claimed = claims(page).filter({ hasText: "PC7" });
-  const dsc = scoreOf(filesOf("bracket", "PC7")).mean.DSC;
-  await expect(claimed.locator(`td[title="${dsc}"]`)).not.toHaveCount(0);
+  for (const value of Object.values(scoreOf(bracket).mean)) {
+    await expect(claimed.locator(`td[title="${value}"]`)).not.toHaveCount(0);
+  }
   await picture(page, "shared-claimed");
 
-  await dropFiles(page, "theirs", filesOf("bracket", "PC7"));
+  await dropFiles(page, "theirs", bracket);
   await expect(claimed).toContainText("verified here");
   await expect(claims(page).filter({ hasText: "PC8" })).toContainText("as claimed");
   await expect(page.locator(".banner")).toContainText("1 verified here");
+  // The same files are the same files under any name.
   await dropFiles(page, "theirs too", filesOf("flange", "renamed"));
   await expect(page.locator(".banner")).toContainText("Verified here.");
   await picture(page, "shared-verified");
+});
+
+test("a figure that was tampered with is shown beside the one found here", async ({ page }) => {
+  const files = filesOf("bracket", "PC7");
+  const { DSC } = scoreOf(files).mean;
+  await open(page);
+  await dropFiles(page, "mine", files);
+  await expect(row(page, "PC7")).toBeVisible();
+  const lie = (value: number) => (link: string) =>
+    tampered(link, (results) => ({
+      ...results,
+      claims: results.claims.map((claim) => ({ ...claim, mean: { ...claim.mean, DSC: value } })),
+    }));
+  const link = await linkOf(page);
+  await openLink(page, lie(0.9)(link));
+  await expect(claims(page)).toContainText("as claimed");
+  await expect(claims(page)).toContainText("0.9000");
+  await dropFiles(page, "theirs", files);
+  await expect(claims(page)).toContainText("figures differ");
+  await expect(claims(page).locator("del")).toHaveText("claimed 0.9000");
+  await expect(claims(page).locator("ins")).toHaveText(`found here ${DSC?.toFixed(4)}`);
+  await expect(page.locator(".banner")).toContainText("The figures differ.");
+  await picture(page, "shared-differs");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+
+  // One bit is enough; then all digits are shown.
+  const next = (DSC ?? 0) + 2 ** -53;
+  await openLink(page, lie(next)(link));
+  await dropFiles(page, "again", files);
+  await expect(claims(page).locator("del")).toHaveText(`claimed ${next}`);
+  await expect(claims(page).locator("ins")).toHaveText(`found here ${DSC}`);
 });
 
 test("other files under the same name do not verify a claim", async ({ page }) => {
   await open(page);
   await dropFiles(page, "mine", filesOf("bracket", "PC7"));
   await expect(row(page, "PC7")).toBeVisible();
-  const link = await linkOf(page);
-  await page.goto("about:blank");
-  await page.goto(link);
+  await openLink(page, await linkOf(page));
   await expect(claims(page)).toHaveCount(1);
   await dropFiles(page, "other", filesOf("bracket", "PC7", { seed: 9 }));
   await expect(claims(page)).toContainText("other ground truth and submission");
+});
+
+test("the link of a sample makes the scene again, with selection, colours and protocol", async ({ page }) => {
+  await open(page);
+  const model = (await rows(page).getByRole("rowheader").textContent()) ?? "";
+  await page.getByRole("radio", { name: "Published" }).check({ force: true });
+  await page.getByLabel("Colour").selectOption({ label: "The paper's figure" });
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  await page.locator(".panel tbody .row-name").nth(2).click();
+  const canvas = page.locator(".canvas-box canvas");
+  await canvas.focus();
+  for (let turn = 0; turn < 6; turn++) await page.keyboard.press("ArrowLeft");
+  const link = await linkOf(page);
+  const { view, models, protocol } = readFragment(link.split("#")[1] ?? "");
+  expect(models[0]?.origin).toEqual({ kind: "sample", part: model, options: {} });
+  expect(view?.camera).toBeDefined();
+
+  await page.evaluate(() => localStorage.clear());
+  await openLink(page, link);
+  await expect(page.locator(".banner")).toContainText("Verified here.");
+  await expect(claims(page).locator(`td[title="${scoreOfSample(model, protocol).mean.PPV}"]`)).not.toHaveCount(0);
+  await expect(page.getByLabel("Colour")).toHaveValue("figure");
+  await expect(page.getByRole("radio", { name: "Published" })).toBeChecked();
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  await expect(page.locator(".panel tbody tr").nth(2)).toHaveAttribute("aria-current", "true");
+  // The camera ends where the sharer's was: the same link comes out again.
+  const again = readFragment((await linkOf(page)).split("#")[1] ?? "").view;
+  expect(again?.primitive).toEqual(view?.primitive);
+  for (const [at, value] of (view?.camera?.rotation ?? []).entries()) {
+    expect(again?.camera?.rotation[at]).toBeCloseTo(value, 4);
+  }
+  expect(again?.camera?.height).toBeCloseTo(view?.camera?.height ?? NaN, 2);
+});
+
+test("a damaged link says so, and the page works on", async ({ page }) => {
+  await open(page);
+  const link = await linkOf(page);
+  await openLink(page, link.slice(0, -5));
+  await expect(page.getByRole("alert")).toContainText("This link is damaged");
+  await expect(rows(page)).toHaveCount(1);
+  await picture(page, "shared-damaged");
+  await page.getByRole("button", { name: "Close the link" }).click();
+  await expect(page.locator(".banner")).toHaveCount(0);
+  expect(new URL(page.url()).hash).toBe("");
+});
+
+test("names in a link are text, and its numbers cannot make the page work without end", async ({ page }) => {
+  await open(page);
+  const link = await linkOf(page);
+  const markup = "<img src=x onerror=\"document.title='injected'\">";
+  const part = readFragment(link.split("#")[1] ?? "").models[0]?.origin;
+  const hostile = tampered(link, (results) => ({
+    ...results,
+    engine: markup,
+    models: results.models.map((model) => ({ ...model, name: markup, points: 2 ** 32 })),
+    claims: results.claims.map((claim) => ({ ...claim, method: markup, predicted: 2 ** 32 })),
+  }));
+  await openLink(page, hostile);
+  await expect(claims(page).getByRole("rowheader")).toHaveText(markup);
+  await expect(page).toHaveTitle("Fit4CAD Playground");
+
+  const endless = tampered(link, (results) => ({
+    ...results,
+    view: { model: 0, primitive: { side: "truth", index: 2 ** 32 }, camera: { target: [1e38, 0, 0], rotation: [0, 0, 0, 0], height: -1, projection: "perspective" } },
+    models: results.models.map((model) => ({ ...model, origin: part?.kind === "sample" ? { ...part, options: { spacing: 1e-300, seed: -1.5 } } : { kind: "files" } })),
+  }));
+  await openLink(page, endless);
+  await expect(claims(page)).toContainText("as claimed");
+  await expect(page.locator(".notice")).toContainText("could not be made");
+});
+
+test("an embedded link is to look at only, and opens full", async ({ page, context }) => {
+  await open(page);
+  const link = await linkOf(page);
+  await openLink(page, link.replace("#", "?embed#"));
+  await expect(claims(page)).toHaveCount(1);
+  await expect(page.locator(".embed .bar")).toContainText("Verified here.");
+  await expect(page.locator(".canvas-box canvas")).toBeVisible();
+  await expect(page.getByRole("button", { name: "Add data" })).toHaveCount(0);
+  await expect(page.locator(".canvas-state")).toHaveCount(0);
+  await picture(page, "embed-light");
+  await page.setViewportSize({ width: 360, height: 640 });
+  await picture(page, "embed-narrow");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  const opening = context.waitForEvent("page");
+  await page.getByRole("link", { name: "Open full" }).click();
+  const full = await opening;
+  await expect(full.getByRole("button", { name: "Add data" })).toBeVisible();
+  await expect(claims(full)).toHaveCount(1);
+
+  await page.goto("about:blank");
+  await page.goto("./?embed");
+  await expect(page.locator("main")).toContainText("This address holds no results");
 });

@@ -160,12 +160,12 @@ function Foot({ own }: { own: string }): JSX.Element {
       {line("Mean difference", (measure) => (
         <DifferenceMark measure={measure} pair={means(pairs(measure))} />
       ))}
-      {line(`Mean of ${own}`, (measure) => format.measure(measure, means(pairs(measure)).own))}
-      {line(`Mean of ${theirMethod.value}`, (measure) => format.measure(measure, means(pairs(measure)).theirs))}
       {line("Won, lost, even", (measure) => {
         const { better, worse, even } = tally(pairs(measure), MEASURE_TEXT[measure].good);
         return better + worse + even === 0 ? format.MISSING : `${better}, ${worse}, ${even}`;
       })}
+      {line(`Mean of ${own}`, (measure) => format.measure(measure, means(pairs(measure)).own))}
+      {line(`Mean of ${theirMethod.value}`, (measure) => format.measure(measure, means(pairs(measure)).theirs))}
     </>
   );
 }

@@ -34,18 +34,20 @@ export function Which({ candidates, said }: Props): JSX.Element {
       <ul>
         {candidates.map(({ entry: { id }, match }) => (
           <li key={id}>
-            <label>
-              {id}{" "}
-              <select value={valueOf(said.value[id])} onChange={(event) => say(id, event.currentTarget.value)}>
-                <option value={BY_COUNTS}>by name and counts</option>
-                <option value={NONE}>is no test model</option>
-                {TEST_MODELS.map(({ name }) => (
-                  <option key={name} value={name}>
-                    is {name}
-                  </option>
-                ))}
-              </select>
-            </label>{" "}
+            {id}{" "}
+            <select
+              aria-label={`Which test model ${id} is`}
+              value={valueOf(said.value[id])}
+              onChange={(event) => say(id, event.currentTarget.value)}
+            >
+              <option value={BY_COUNTS}>by name and counts</option>
+              <option value={NONE}>is no test model</option>
+              {TEST_MODELS.map(({ name }) => (
+                <option key={name} value={name}>
+                  is {name}
+                </option>
+              ))}
+            </select>{" "}
             <span class="hint">{explain(match)}</span>
           </li>
         ))}

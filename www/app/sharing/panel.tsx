@@ -1,8 +1,7 @@
 // The figures a link claims, each with how far it is borne out here.
 
 import type { JSX } from "preact";
-import { meanOf, methodsOf } from "../../../bin/formats/measures.mjs";
-import type { Measure } from "../engine/contract";
+import { byMethod, meanOf } from "../../../bin/formats/measures.mjs";
 import { ExplainButton } from "../measures/explain";
 import { MEASURES } from "../measures/measures";
 import { modelById } from "../state/models";
@@ -111,22 +110,19 @@ function Means(): JSX.Element {
   const claims = judged.value.map(({ claim }) => claim);
   return (
     <>
-      {methodsOf(claims).map((method) => {
-        const own = claims.filter((claim) => claim.method === method);
-        return (
-          <tr key={method}>
-            <th scope="row">Mean of {own.length}</th>
-            <td>{method}</td>
-            <td colSpan={4} />
-            {MEASURES.map((measure: Measure) => (
-              <td key={measure} class="numeric">
-                {format.measure(measure, meanOf(own, measure))}
-              </td>
-            ))}
-            <td class="numeric">{own.reduce((sum, { typeErrors }) => sum + typeErrors, 0)}</td>
-          </tr>
-        );
-      })}
+      {byMethod(claims).map(({ method, own }) => (
+        <tr key={method}>
+          <th scope="row">Mean of {own.length}</th>
+          <td>{method}</td>
+          <td colSpan={4} />
+          {MEASURES.map((measure) => (
+            <td key={measure} class="numeric">
+              {format.measure(measure, meanOf(own, measure))}
+            </td>
+          ))}
+          <td class="numeric">{own.reduce((sum, { typeErrors }) => sum + typeErrors, 0)}</td>
+        </tr>
+      ))}
     </>
   );
 }

@@ -1,0 +1,61 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, open, picture, row, test } from "./support/test";
+import { filesOf, type Fixture } from "./support/engine";
+import { dropFiles } from "./support/sharing";
+
+/** `truth` unit squares with `points` points in all: as many of both as PC1 has, and nothing else of it. */
+function squares(name: string, points: number, truth: number): Fixture[] {
+  const cloud = Array.from({ length: points }, (_, i) => {
+    const [layer, within] = [i % truth, Math.floor(i / truth)];
+    return `[${(within % 31) / 31}, ${Math.floor(within / 31) / 31}, ${layer}]`;
+  });
+  const members = (layer: number) => cloud.flatMap((_, i) => (i % truth === layer ? i + 1 : [])).join(" ");
+  const entries = (entry: (layer: number) => string) =>
+    Array.from({ length: truth }, (_, layer) => `Primitive${layer + 1}:=[${entry(layer)}];\n`).join("");
+  const primitives = entries(members);
+  const parametric = entries((layer) => `Plane, [1 0 0 0 1 0 0 0 ${layer}]`);
+  return [
+    { path: `pointCloud/${name}.txt`, text: `Points:=[\n${cloud.join(", \n")} \n ];\n` },
+    { path: `pointCloud_primitives/${name}_primitives.txt`, text: primitives },
+    { path: `pointCloud_parametric/${name}_parametric.txt`, text: parametric },
+    { path: `pointCloud_primitives_MINE/${name}_primitives.txt`, text: primitives },
+    { path: `pointCloud_parametric_MINE/${name}_parametric.txt`, text: parametric },
+  ];
+}
+
+test("a model is set beside the published methods only if it is the test model, or the reader says so", async ({ page }) => {
+  await open(page);
+  await dropFiles(page, "namesake", filesOf("bracket", "PC1"));
+  await expect(row(page, "PC1")).toBeVisible();
+  await page.getByRole("tab", { name: "Comparison" }).click();
+  const panel = page.locator(".comparison");
+  await expect(panel).toContainText("None of the models here is one of the 35 test models");
+  await expect(panel).toContainText(/named like PC1, but not that model: \d+ points for 7500/);
+  await expect(panel.locator("table")).toHaveCount(0);
+  await panel.getByLabel("Which test model PC1 is").selectOption("PC1");
+  await expect(panel.getByRole("row", { name: /PC1, as you say/ })).toBeVisible();
+});
+
+test("differences carry sign, mark and colour, and wins are counted", async ({ page }) => {
+  await open(page);
+  await dropFiles(page, "mine", [...squares("PC1", 7500, 8), ...squares("PC2", 20621, 17)]);
+  await expect(row(page, "PC2")).toBeVisible();
+  await page.getByRole("tab", { name: "Comparison" }).click();
+  const panel = page.locator(".comparison");
+  const first = panel.getByRole("row", { name: /^PC1 / });
+  // A perfect score against the published 0.986624.
+  const dsc = first.locator(".difference").first();
+  await expect(dsc).toHaveText("+0.0134 ▲better");
+  await expect(dsc).toHaveAttribute("data-outcome", "better");
+  await expect(panel.getByRole("row", { name: /^Won, lost, even/ }).getByRole("cell").first()).toHaveText("2, 0, 0");
+  await expect(panel.getByRole("row", { name: /^Mean of HT/ }).getByRole("cell").first()).toHaveText("0.9540");
+  await picture(page, "comparison-light");
+  await page.getByLabel("with the published").selectOption("PG");
+  await expect(dsc).toHaveText("+0.6301 ▲better");
+  await expect(first).toContainText("n/a");
+  await page.getByRole("radio", { name: "Published" }).check({ force: true });
+  await expect(first.locator("td[title^='1.0000 against 0.6925, 0.693 in the paper']")).toHaveCount(1);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await picture(page, "comparison-dark");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+});

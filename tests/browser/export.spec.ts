@@ -1,0 +1,93 @@
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { readFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { unzipSync } from "fflate";
+import { expect, open, picture, row, rows, test } from "./support/test";
+import { filesOf, METHOD, ROOT } from "./support/engine";
+import { dropFiles } from "./support/sharing";
+
+const VERSION = run("--version").trim().split(" ")[1] ?? "";
+
+function run(...args: string[]): string {
+  return execFileSync(process.execPath, [join(ROOT, "bin/fit4cad"), ...args], { encoding: "utf8" });
+}
+
+async function save(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
+  const waiting = page.waitForEvent("download");
+  await page.getByRole("button", { name: button, exact: true }).click();
+  const download = await waiting;
+  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+const sha256 = (text: string | Uint8Array) => createHash("sha256").update(text).digest("hex");
+
+test("every export downloads, and is what the command line gives for the same files", async ({ page }) => {
+  const files = [...filesOf("bracket", "PC3"), ...filesOf("flange", "PC12")];
+  await open(page);
+  const folder = await dropFiles(page, "my results", files);
+  await expect(rows(page)).toHaveCount(2);
+  await page.getByRole("radio", { name: "Published" }).check({ force: true });
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  await expect(page.getByTestId("command")).toHaveText("fit4cad score 'my results' --protocol published");
+  await expect(page.getByTestId("link-contents")).toContainText("2 results on 2 models");
+  for (const [title, format, extension] of [["CSV", "csv", "csv"], ["JSON", "json", "json"], ["LaTeX", "latex", "tex"], ["Markdown", "markdown", "md"]] as const) {
+    const { name, bytes } = await save(page, `Save ${title}`);
+    expect(name).toBe(`fit4cad-published.${extension}`);
+    const text = bytes.toString();
+    for (const needed of [VERSION, "published", ...files.map((file) => sha256(file.text))]) expect(text).toContain(needed);
+    // The line that the page gives, run where the folder is.
+    const line = ["score", "my results", "--protocol", "published", "--format", format];
+    expect(text).toBe(execFileSync(process.execPath, [join(ROOT, "bin/fit4cad"), ...line], { cwd: dirname(folder), encoding: "utf8" }));
+  }
+  await picture(page, "sheet-share-light");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await picture(page, "sheet-share-dark");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await page.setViewportSize({ width: 360, height: 740 });
+  await picture(page, "sheet-share-narrow");
+});
+
+test("a submission comes as a zip of its own files, which score the same", async ({ page }) => {
+  const files = filesOf("bracket", "PC3");
+  // Without the implicit file, which the engine then writes.
+  const brought = files.filter(({ path }) => !path.startsWith(`pointCloud_implicit_${METHOD}`));
+  await open(page);
+  await dropFiles(page, "mine", brought);
+  await expect(row(page, "PC3")).toBeVisible();
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const { name, bytes } = await save(page, "Save PC3");
+  expect(name).toBe(`PC3-${METHOD}.zip`);
+  const entries = unzipSync(bytes);
+  const place = (role: string) => `pointCloud_${role}_${METHOD}/PC3_${role}.txt`;
+  expect(Object.keys(entries)).toEqual([place("primitives"), place("parametric"), place("implicit"), "fit4cad.json"]);
+  const text = (path: string) => new TextDecoder().decode(entries[path]);
+  expect(text(place("primitives"))).toBe(files.find(({ path }) => path === place("primitives"))?.text);
+  const note = JSON.parse(text("fit4cad.json")) as { engine: string; protocol: string; files: { path: string; sha256: string }[] };
+  expect([note.engine, note.protocol]).toEqual([VERSION, "definition"]);
+  for (const { path, sha256: sum } of note.files) expect(sum).toBe(sha256(entries[path] ?? ""));
+});
+
+test("the command of a sample makes and scores the same sample", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Add data" }).click();
+  await page.getByLabel("Seed").fill("7");
+  await page.getByLabel("Noise").fill("0.001");
+  await page.getByRole("button", { name: /^Flange/ }).click();
+  await expect(row(page, "flange")).toBeVisible();
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const line = (await page.getByTestId("command").textContent()) ?? "";
+  expect(line).toContain("fit4cad generate flange --seed 7 --noise 0.001 --imperfect --out flange && ");
+  const { bytes } = await save(page, "Save CSV");
+  const folder = test.info().outputPath("command");
+  await import("node:fs/promises").then(({ mkdir }) => mkdir(folder, { recursive: true }));
+  const script = `fit4cad() { '${process.execPath}' '${join(ROOT, "bin/fit4cad")}' "$@"; }; ${line} --format csv`;
+  const out = execFileSync("bash", ["-c", script], { cwd: folder, encoding: "utf8" });
+  const scored = out.slice(out.indexOf("model,method"));
+  const figures = (csv: string) => csv.split("\r\n").map((cells) => cells.split(",").slice(0, 17).join(","));
+  expect(figures(scored)).toEqual(figures(bytes.toString()));
+  expect(scored).toBe(bytes.toString());
+});
