@@ -6,6 +6,8 @@ const fit4cad = () => `fit4cad: fit, score and make segmentations of CAD point c
 
   fit4cad score PATH…       score submissions against the ground truth
   fit4cad fit PATH…         find the primitives of clouds, with method HT or PG
+  fit4cad check PATH…       find errors in a ground truth, and correct them
+  fit4cad stats PATH…       count what a set of models holds
   fit4cad generate PART     make a model with known ground truth
   fit4cad generate --list   the parts it can make
   fit4cad COMMAND --help    what a command reads, prints and means
@@ -110,4 +112,50 @@ Exit code: 0 all fitted, 1 some input unusable, 2 called wrongly.
 `;
 }
 
-export const HELP = { fit4cad, score, fit, generate };
+const check = () => `fit4cad check PATH… [--format table|json] [--write DIR]
+
+Checks every ground truth found in the given files, folders and zips: its files, and the points,
+the parametric and the implicit form of each primitive against each other.
+
+  --format table  (default) one row per finding
+  --format json   for each model its findings, and the measurements of every primitive
+  --write DIR     writes the surface files that need it with wrong vectors replaced by the exact
+                  conversion of the form that fits; all other vectors keep every digit
+
+Distances are shares of the diagonal of the box around a primitive's points. A finding is:
+  parametric distance     the form is off the points: more than 0.1 % a warning, 1 % an error
+  implicit distance
+  surface distance        both forms agree, and are off the points
+  stray point             a few points are off the surface on which all others lie
+  agreement               the forms differ, though neither is off the points
+  family                  a vector is no surface of its type (unequal radii, a quartic no torus)
+  first-order distance    |f|/|∇f| of the implicit form misleads: a point lies at an apex
+  type, vector, index, duplicate, numbering, point, syntax, file
+                          what reading the files showed, with file, line and column
+
+Findings go to stdout, what keeps files from being read to stderr.
+
+Examples:
+  fit4cad check training_set.zip
+  fit4cad check dataset/training_set --format json | jq '.[] | select(.findings != [])'
+  fit4cad check training_set.zip --write corrected
+
+Exit code: 0 nothing worse than a note, 1 warnings, errors or unusable input, 2 called wrongly.
+`;
+
+const stats = () => `fit4cad stats PATH… [--format table|json|csv]
+
+Counts the models found in the given files, folders and zips: points, true primitives by type, and
+the share of points that no primitive lists.
+
+  --format table  (default) a row per model, their spread, and the paper's bar chart of types
+  --format json   the models and the set
+  --format csv    one row per model, for a spreadsheet
+
+Example:
+  fit4cad stats training_set.zip
+
+Exit code: 0 all counted, 1 some input unusable, 2 called wrongly.
+`;
+
+export const HELP = { fit4cad, score, fit, check, stats, generate };

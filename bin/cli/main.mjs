@@ -11,6 +11,8 @@ const FAILED = 1;
 const COMMANDS = {
   score: async () => (await import("./score.mjs")).score,
   fit: async () => (await import("./fit.mjs")).fit,
+  check: async () => (await import("./check.mjs")).check,
+  stats: async () => (await import("./stats.mjs")).stats,
   generate: async () => (await import("./generate.mjs")).generate,
 };
 

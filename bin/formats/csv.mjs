@@ -33,7 +33,15 @@ export function csv(results) {
     guarded(result.engine),
     ...FILES.map(([role, owner]) => hashOf(result, role, owner === "method")),
   ]);
-  return [HEAD, ...rows].map((row) => `${row.map(cell).join(",")}\r\n`).join("");
+  return csvText([HEAD, ...rows]);
+}
+
+/**
+ * Rows of cells as text.
+ * @param {readonly (readonly (string | number)[])[]} rows
+ */
+export function csvText(rows) {
+  return rows.map((row) => `${row.map(cell).join(",")}\r\n`).join("");
 }
 
 /**
@@ -50,7 +58,7 @@ function hashOf({ files }, role, submitted) {
  * Spreadsheets run a text that starts like a formula; a leading apostrophe keeps it a text.
  * @param {string} text
  */
-function guarded(text) {
+export function guarded(text) {
   return /^[=+\-@\t\r\n]/.test(text) ? `'${text}` : text;
 }
 

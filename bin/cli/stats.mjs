@@ -1,0 +1,43 @@
+// `fit4cad stats`.
+
+import { STATISTICS } from "../formats/statistics.mjs";
+import { inOneLine } from "./diagnostics.mjs";
+import { loadEngine } from "./engine.mjs";
+import { collect } from "./inputs.mjs";
+import { eachModel } from "./models.mjs";
+import { print, progress, warn } from "./terminal.mjs";
+import { UsageError, choice, readArguments } from "./usage.mjs";
+
+const OPTIONS = { format: { type: "string", default: "table" } };
+
+/** Counts what the models named by the arguments hold; gives the exit code. */
+export async function stats(args) {
+  const { values, positionals } = readArguments(args, OPTIONS);
+  if (positionals.length === 0) {
+    throw new UsageError("give at least one file, folder or zip");
+  }
+  const format = choice("format", values.format, Object.keys(STATISTICS));
+  const engine = await loadEngine();
+
+  progress.show("looking for files");
+  const inputs = collect(positionals);
+  const models = [];
+  const problems = [...inputs.diagnostics];
+  const show = (text) => progress.show(`counting ${text}`);
+  const unread = eachModel(engine, inputs.files, { truthOnly: true, progress: show }, (model) => {
+    const { diagnostics } = model.info();
+    problems.push(...diagnostics.filter(({ severity }) => severity === "error"));
+    models.push(model.statistics());
+  });
+  progress.clear();
+
+  problems.push(...unread);
+  for (const problem of problems) {
+    warn(inOneLine(problem));
+  }
+  if (models.length === 0) {
+    warn("fit4cad stats: there is no model among the files; see fit4cad stats --help.");
+  }
+  await print(STATISTICS[format]({ set: engine.datasetStatistics(models), models }));
+  return models.length === 0 || problems.some(({ severity }) => severity === "error") ? 1 : 0;
+}
