@@ -374,7 +374,12 @@ impl<'a> Search<'a> {
         const NEAR: f64 = 12.0;
         // So many exact points on one surface are no accident.
         const BEYOND_DOUBT: usize = 400;
-        if !self.scale.is_clean() || candidate.support.len() >= BEYOND_DOUBT {
+        const EXACT: f64 = 0.05;
+        // An accidental fit fills the tolerance; a face much more exact than that is none, even
+        // where the next face goes on from it within the tolerance.
+        let is_exact = candidate.error < EXACT * self.scale.tolerance
+            || candidate.support.len() >= BEYOND_DOUBT;
+        if is_exact || !self.scale.is_clean() {
             return false;
         }
         let limit = NEAR * self.scale.tolerance;

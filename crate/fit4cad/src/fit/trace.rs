@@ -1,7 +1,7 @@
 //! Intermediate results as plain data, for the lessons. Nothing is gathered unless asked for.
 
 use crate::cloud::Point;
-use crate::surface::{Surface, SurfaceType};
+use crate::surface::Surface;
 
 /// One intermediate result of a fit.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,35 +15,13 @@ pub enum Event {
         /// Indices of its points.
         support: Vec<u32>,
     },
-    /// A slice of an accumulator: votes over two of its axes at the best place of the others.
-    Accumulator {
-        /// The family voted for.
-        kind: SurfaceType,
-        /// Which parameters are voted for.
-        space: &'static str,
-        /// Cells along the two axes.
-        size: [usize; 2],
-        /// Votes, row after row.
-        votes: Vec<f32>,
-        /// Range of the first axis.
-        first: [f64; 2],
-        /// Range of the second axis.
-        second: [f64; 2],
-    },
-    /// The persistence pairs of an accumulator, most persistent first.
-    Persistence {
-        /// The family voted for.
-        kind: SurfaceType,
-        /// (birth, death) of each maximum, in votes.
-        pairs: Vec<[f64; 2]>,
-        /// Smallest persistence that counts.
-        threshold: f64,
-    },
+    /// An accumulator of the Hough transform, its persistence pairs and peaks.
+    Hough(super::hough::trace::Snapshot),
     /// A peak of an accumulator and the surface it stands for.
     Peak {
-        /// The surface at the middle of the cell.
+        /// The consensus of its voters.
         surface: Surface,
-        /// Votes of the cell.
+        /// How many they are.
         votes: f64,
     },
     /// Surface variation of every point and the threshold above which a point is sharp.

@@ -60,7 +60,7 @@ impl DirectionSpace {
     }
 
     /// The direction in the middle of a cell, its dominant component positive.
-    pub fn centre(&self, cell: usize) -> Direction {
+    pub fn direction_of(&self, cell: usize) -> Direction {
         let (face, row, column) = self.place(cell);
         self.direction(face, row as f64 + 0.5, column as f64 + 0.5)
     }
@@ -76,7 +76,7 @@ impl DirectionSpace {
     pub fn small_circle(&self, pole: &Direction, angle: f64, mut visit: impl FnMut(usize)) {
         let angle = angle.min(std::f64::consts::PI - angle);
         for cell in 0..self.len() {
-            let cosine = self.centre(cell).dot(pole).abs().min(1.0);
+            let cosine = self.direction_of(cell).dot(pole).abs().min(1.0);
             if (cosine.acos() - angle).abs() <= 0.5 * self.step() {
                 visit(cell);
             }
@@ -146,6 +146,10 @@ impl Space for DirectionSpace {
         3 * self.edge * self.edge
     }
 
+    fn centre(&self, cell: usize) -> [f64; 3] {
+        self.direction_of(cell).into_inner().into()
+    }
+
     fn neighbours(&self, cell: usize, visit: &mut dyn FnMut(usize)) {
         let (from, to) = (self.starts[cell] as usize, self.starts[cell + 1] as usize);
         for &other in &self.adjacent[from..to] {
@@ -162,7 +166,7 @@ mod tests {
     fn every_cell_holds_its_own_centre() {
         let space = DirectionSpace::new(3_f64.to_radians());
         for cell in 0..space.len() {
-            assert_eq!(space.cell(&space.centre(cell)), Some(cell));
+            assert_eq!(space.cell(&space.direction_of(cell)), Some(cell));
         }
     }
 
@@ -183,7 +187,7 @@ mod tests {
         let space = DirectionSpace::new(2.5_f64.to_radians());
         for axis in [Vector::x_axis(), Vector::y_axis(), Vector::z_axis()] {
             let cell = space.cell(&axis).unwrap();
-            assert!(space.centre(cell).dot(&axis) > 1.0 - 1e-12);
+            assert!(space.direction_of(cell).dot(&axis) > 1.0 - 1e-12);
         }
     }
 
@@ -194,7 +198,10 @@ mod tests {
             let mut count = 0;
             space.neighbours(cell, &mut |other| {
                 count += 1;
-                let cosine = space.centre(cell).dot(&space.centre(other)).abs();
+                let cosine = space
+                    .direction_of(cell)
+                    .dot(&space.direction_of(other))
+                    .abs();
                 assert!(cosine.acos() < 3.0 * space.step());
                 let mut back = false;
                 space.neighbours(other, &mut |again| back |= again == cell);
@@ -214,7 +221,7 @@ mod tests {
         let along = std::f64::consts::PI / space.step();
         assert!(cells.len() as f64 > 0.8 * along && (cells.len() as f64) < 2.5 * along);
         for cell in cells {
-            assert!(space.centre(cell).dot(&normal).abs() < space.step());
+            assert!(space.direction_of(cell).dot(&normal).abs() < space.step());
         }
     }
 

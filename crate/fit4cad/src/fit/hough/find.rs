@@ -4,8 +4,10 @@
 use super::borders::Borders;
 use super::coaxial::{coaxial_votes, known_axes, ring_votes};
 use super::family::Region;
+use super::noisy;
 use super::rounds::{Evidence, round};
 use super::solutions;
+use super::trace::Recorder;
 use super::vote::{Spaces, Vote};
 use crate::fit::{Cancelled, Observer, Search, Stage};
 use crate::surface::SurfaceType;
@@ -13,10 +15,21 @@ use crate::surface::SurfaceType;
 /// Width of a direction cell in radians.
 const ANGLE_STEP: f64 = 0.03;
 /// Points that vote in the first round over a large cloud.
-const FIRST_VOTERS: usize = 6000;
+const FIRST_VOTERS: u32 = 6000;
 /// Neighbourhoods that vote in one round. A face of a good size gets several votes, and a small
 /// batch wastes few on what the round's winners explain.
 const BATCH: usize = 48;
+/// Points blocked around a seed of a mixed neighbourhood that leads nowhere.
+const BLOCK: usize = 8;
+/// Passes over the open borders: what one settles may be the border of a next.
+const BORDER_PASSES: usize = 3;
+/// The families that closed forms start well; a torus costs far more to try.
+const QUICK: [SurfaceType; 4] = [
+    SurfaceType::Plane,
+    SurfaceType::Sphere,
+    SurfaceType::Cylinder,
+    SurfaceType::Cone,
+];
 
 /// Finds the surfaces of a cloud; they are the search's accepted candidates afterwards.
 ///
@@ -25,104 +38,205 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
     if search.cloud.is_empty() {
         return Ok(());
     }
-    let spaces = Spaces::new(region(search));
-    planes(search, &spaces);
-    observer.progress(Stage::Find, 0.3)?;
-    // Neighbourhoods within one face: cheap, and wrong ones give no vote at all.
-    for size in [16, 28, 10] {
-        search_with(search, &spaces, observer, &mut |search, seed, votes, _| {
-            let patch = search.unexplained_near(seed, size);
-            if patch.len() >= 10 {
-                votes.extend(solutions::pure_vote(search, seed, &patch));
-            }
-        })?;
+    let region = Region {
+        bounds: search.cloud.bounds(),
+        length_step: search.scale.spacing.max(4.0 * search.scale.tolerance),
+        angle_step: ANGLE_STEP,
+    };
+    let mut work = Work {
+        spaces: Spaces::new(region),
+        recorder: Recorder::new(observer),
+    };
+    if search.scale.is_clean() {
+        work.exact(search)
+    } else {
+        noisy::find(search, &mut work)
     }
-    let axes = known_axes(search);
-    for size in [16, 8] {
-        search_with(search, &spaces, observer, &mut |search, seed, votes, _| {
-            let patch = search.unexplained_near(seed, size);
-            if patch.len() >= 6 {
-                coaxial_votes(search, &axes, seed, &patch, votes);
-            }
-        })?;
-    }
-    search_with(
-        search,
-        &spaces,
-        observer,
-        &mut |search, seed, votes, blocked| {
+}
+
+/// What a seed votes for; may also block points from being seeds.
+pub type Voter<'v> = dyn FnMut(&Search<'_>, u32, &mut Vec<Vote>, &mut [bool]) + 'v;
+
+/// How long a pass goes on.
+#[derive(Debug, Clone, Copy)]
+pub struct Pass {
+    /// Seeds without a vote after which it ends.
+    pub failures: usize,
+    /// Neighbourhoods that vote in one round.
+    pub batch: usize,
+    /// Share of the search done when it starts and when it ends.
+    pub progress: [f64; 2],
+}
+
+/// The spaces of a search and who follows it.
+pub struct Work<'o> {
+    /// The parameter spaces.
+    pub spaces: Spaces,
+    /// Follows the search.
+    pub recorder: Recorder<'o>,
+}
+
+impl Work<'_> {
+    /// The search of a cloud whose points are on their surfaces: a handful that agree are no
+    /// accident, so votes are trusted the more points they explain, the fewer the later.
+    fn exact(&mut self, search: &mut Search<'_>) -> Result<(), Cancelled> {
+        self.planes(search);
+        // Neighbourhoods within one face: cheap, and wrong ones give no vote at all.
+        for (size, progress) in [(16, [0.2, 0.4]), (28, [0.4, 0.5]), (10, [0.5, 0.6])] {
+            let pass = Pass {
+                failures: 4000,
+                batch: BATCH,
+                progress,
+            };
+            self.pass(search, pass, &mut |search, seed, votes, _| {
+                let patch = search.unexplained_near(seed, size);
+                if patch.len() >= 10 {
+                    votes.extend(solutions::pure_vote(search, seed, &patch));
+                }
+            })?;
+        }
+        let axes = known_axes(search);
+        for (size, progress) in [(16, [0.6, 0.65]), (8, [0.65, 0.7])] {
+            let pass = Pass {
+                failures: 2000,
+                batch: BATCH,
+                progress,
+            };
+            self.pass(search, pass, &mut |search, seed, votes, _| {
+                let patch = search.unexplained_near(seed, size);
+                if patch.len() >= 6 {
+                    coaxial_votes(search, &axes, seed, &patch, votes);
+                }
+            })?;
+        }
+        let pass = Pass {
+            failures: 60,
+            batch: BATCH,
+            progress: [0.7, 0.8],
+        };
+        self.pass(search, pass, &mut |search, seed, votes, blocked| {
             let patch = search.unexplained_near(seed, 28);
             if patch.len() >= 12 {
                 mixed(search, seed, &patch, &[SurfaceType::Torus], votes, blocked);
             }
-        },
-    )?;
-    // What is left is small, thin or free-form.
-    for size in [10, 16, 28] {
-        search_with(
-            search,
-            &spaces,
-            observer,
-            &mut |search, seed, votes, blocked| {
-                const KINDS: [SurfaceType; 4] = [
-                    SurfaceType::Plane,
-                    SurfaceType::Sphere,
-                    SurfaceType::Cylinder,
-                    SurfaceType::Cone,
-                ];
+        })?;
+        // What is left is small, thin or free-form.
+        for (size, progress) in [(10, [0.8, 0.85]), (16, [0.85, 0.9]), (28, [0.9, 0.95])] {
+            let pass = Pass {
+                failures: 200,
+                batch: BATCH,
+                progress,
+            };
+            self.pass(search, pass, &mut |search, seed, votes, blocked| {
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= 6 {
-                    mixed(search, seed, &patch, &KINDS, votes, blocked);
+                    mixed(search, seed, &patch, &QUICK, votes, blocked);
                 }
-            },
-        )?;
+            })?;
+        }
+        for _ in 0..BORDER_PASSES {
+            if self.borders(search) == 0 {
+                break;
+            }
+        }
+        self.recorder.progress(Stage::Find, 1.0)
     }
-    for _ in 0..BORDER_PASSES {
-        if borders(search, &spaces) == 0 {
-            break;
+
+    /// Planes first: their votes cost least and explain most.
+    fn planes(&mut self, search: &mut Search<'_>) {
+        let count = search.cloud.len() as u32;
+        let mut stride = count.div_ceil(FIRST_VOTERS).max(1);
+        loop {
+            let votes: Vec<Vote> = (0..count)
+                .step_by(stride as usize)
+                .filter(|&index| !search.is_explained(index))
+                .filter_map(|index| solutions::flat_vote(search, index))
+                .collect();
+            let accepted = round(search, self, &votes, &mut Evidence::Own);
+            if accepted == 0 && stride == 1 {
+                return;
+            }
+            stride = (stride / 4).max(1);
         }
     }
-    Ok(())
-}
 
-/// Passes over the open borders: what one settles may be the border of a next.
-const BORDER_PASSES: usize = 3;
-
-/// Rounds of votes by points on open borders and those still unexplained. Returns how many surfaces
-/// were accepted.
-fn borders(search: &mut Search<'_>, spaces: &Spaces) -> usize {
-    let mut borders = Borders::of(search);
-    let axes = known_axes(search);
-    let radius = 4.0 * search.scale.spacing;
-    let mut accepted = 0;
-    for size in [10, 16] {
-        let seeds = (0..search.cloud.len() as u32).filter(|&index| borders.is_free(index));
+    /// Rounds of votes by unexplained points until each has been a seed, was blocked or is
+    /// explained, or too many seeds have led nowhere.
+    pub fn pass(
+        &mut self,
+        search: &mut Search<'_>,
+        pass: Pass,
+        voter: &mut Voter<'_>,
+    ) -> Result<(), Cancelled> {
+        let count = search.cloud.len();
+        let mut order: Vec<u32> = (0..count as u32)
+            .filter(|&i| !search.is_explained(i))
+            .collect();
+        search.random.shuffle(&mut order);
+        let mut blocked = vec![false; count];
         let mut votes = Vec::new();
-        let mut near = Vec::new();
-        for seed in seeds {
-            let point = search.point(seed);
-            search
-                .tree
-                .nearest(point, size, radius, |i| borders.is_free(i), &mut near);
-            let patch: Vec<u32> = near.iter().map(|neighbour| neighbour.index).collect();
-            if patch.len() < 6 {
+        let (mut fresh, mut failures) = (0, 0);
+        for (turn, &seed) in order.iter().enumerate() {
+            if search.is_explained(seed) || blocked[seed as usize] {
                 continue;
             }
             let before = votes.len();
-            ring_votes(search, &borders, &axes, seed, &patch, &mut votes);
+            voter(search, seed, &mut votes, &mut blocked);
             if votes.len() == before {
-                votes.extend(solutions::pure_vote(search, seed, &patch));
+                failures += 1;
+                if failures > pass.failures {
+                    break;
+                }
+                continue;
+            }
+            fresh += 1;
+            if fresh == pass.batch {
+                // Votes that no winner explained stay and are counted again with the next.
+                round(search, self, &votes, &mut Evidence::Own);
+                votes.retain(|vote| !search.is_explained(vote.point));
+                fresh = 0;
+                let [from, to] = pass.progress;
+                let share = turn as f64 / order.len() as f64;
+                self.recorder
+                    .progress(Stage::Find, from + (to - from) * share)?;
             }
         }
-        accepted += round(
-            search,
-            spaces,
-            &votes,
-            &mut Evidence::Borders(&mut borders),
-            &mut |_| {},
-        );
+        while round(search, self, &votes, &mut Evidence::Own) > 0 {
+            votes.retain(|vote| !search.is_explained(vote.point));
+        }
+        Ok(())
     }
-    accepted
+
+    /// Rounds of votes by points on open borders and those still unexplained. Returns how many
+    /// surfaces were accepted.
+    fn borders(&mut self, search: &mut Search<'_>) -> usize {
+        let mut borders = Borders::of(search);
+        let axes = known_axes(search);
+        let radius = 4.0 * search.scale.spacing;
+        let mut accepted = 0;
+        for size in [10, 16] {
+            let seeds = (0..search.cloud.len() as u32).filter(|&index| borders.is_free(index));
+            let mut votes = Vec::new();
+            let mut near = Vec::new();
+            for seed in seeds {
+                let point = search.point(seed);
+                search
+                    .tree
+                    .nearest(point, size, radius, |i| borders.is_free(i), &mut near);
+                let patch: Vec<u32> = near.iter().map(|neighbour| neighbour.index).collect();
+                if patch.len() < 6 {
+                    continue;
+                }
+                let before = votes.len();
+                ring_votes(search, &borders, &axes, seed, &patch, &mut votes);
+                if votes.len() == before {
+                    votes.extend(solutions::pure_vote(search, seed, &patch));
+                }
+            }
+            accepted += round(search, self, &votes, &mut Evidence::Borders(&mut borders));
+        }
+        accepted
+    }
 }
 
 /// Votes of a neighbourhood that may be mixed. Where there are none its points are blocked: in a
@@ -136,80 +250,10 @@ fn mixed(
     blocked: &mut [bool],
 ) {
     let before = votes.len();
-    solutions::mixed_votes(search, seed, patch, kinds, votes);
+    solutions::mixed_votes(search, seed, patch, kinds, 1, votes);
     if votes.len() == before {
         for &index in patch.iter().take(BLOCK) {
             blocked[index as usize] = true;
         }
-    }
-}
-
-/// Points blocked around a seed that leads nowhere.
-const BLOCK: usize = 8;
-
-/// What a seed votes for; may also block points from being seeds.
-type Voter<'v> = dyn FnMut(&Search<'_>, u32, &mut Vec<Vote>, &mut [bool]) + 'v;
-
-/// Rounds of votes by unexplained points until each has been a seed, was blocked or is explained.
-fn search_with(
-    search: &mut Search<'_>,
-    spaces: &Spaces,
-    observer: &mut dyn Observer,
-    voter: &mut Voter<'_>,
-) -> Result<(), Cancelled> {
-    let count = search.cloud.len();
-    let mut order: Vec<u32> = (0..count as u32)
-        .filter(|&i| !search.is_explained(i))
-        .collect();
-    search.random.shuffle(&mut order);
-    let mut blocked = vec![false; count];
-    let mut votes = Vec::new();
-    let mut fresh = 0;
-    for (turn, &seed) in order.iter().enumerate() {
-        if search.is_explained(seed) || blocked[seed as usize] {
-            continue;
-        }
-        let before = votes.len();
-        voter(search, seed, &mut votes, &mut blocked);
-        fresh += usize::from(votes.len() > before);
-        if fresh == BATCH {
-            // Votes that no winner explained stay and are counted again with the next.
-            round(search, spaces, &votes, &mut Evidence::Own, &mut |_| {});
-            votes.retain(|vote| !search.is_explained(vote.point));
-            fresh = 0;
-            let share = turn as f64 / order.len() as f64;
-            observer.progress(Stage::Find, 0.3 + 0.6 * share)?;
-        }
-    }
-    while round(search, spaces, &votes, &mut Evidence::Own, &mut |_| {}) > 0 {
-        votes.retain(|vote| !search.is_explained(vote.point));
-    }
-    Ok(())
-}
-
-/// The region of parameter space, from the cloud's box and spacing.
-fn region(search: &Search<'_>) -> Region {
-    Region {
-        bounds: search.cloud.bounds(),
-        length_step: search.scale.spacing.max(4.0 * search.scale.tolerance),
-        angle_step: ANGLE_STEP,
-    }
-}
-
-/// Planes first: their votes cost least and explain most.
-fn planes(search: &mut Search<'_>, spaces: &Spaces) {
-    let count = search.cloud.len() as u32;
-    let mut stride = count.div_ceil(FIRST_VOTERS as u32).max(1);
-    loop {
-        let votes: Vec<Vote> = (0..count)
-            .step_by(stride as usize)
-            .filter(|&index| !search.is_explained(index))
-            .filter_map(|index| solutions::flat_vote(search, index))
-            .collect();
-        let accepted = round(search, spaces, &votes, &mut Evidence::Own, &mut |_| {});
-        if accepted == 0 && stride == 1 {
-            return;
-        }
-        stride = (stride / 4).max(1);
     }
 }

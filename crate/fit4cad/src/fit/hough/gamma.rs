@@ -83,7 +83,7 @@ impl Slice {
 
     /// The surface in the middle of a cell.
     pub fn surface(&self, cell: usize) -> Surface {
-        let centre = self.grid.centre(cell);
+        let centre = self.grid.parameters(cell);
         match centre.as_slice() {
             &[first, second] => self.surface_at([first, second]),
             _ => self.base,

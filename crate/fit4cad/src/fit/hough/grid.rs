@@ -144,7 +144,7 @@ impl Grid {
     }
 
     /// The parameter tuple in the middle of a cell.
-    pub fn centre(&self, cell: usize) -> Vec<f64> {
+    pub fn parameters(&self, cell: usize) -> Vec<f64> {
         let place = self.place(cell);
         self.axes
             .iter()
@@ -159,6 +159,11 @@ impl Space for Grid {
         self.axes
             .iter()
             .fold(1_usize, |cells, axis| cells.saturating_mul(axis.count))
+    }
+
+    fn centre(&self, cell: usize) -> [f64; 3] {
+        let parameters = self.parameters(cell);
+        std::array::from_fn(|axis| parameters.get(axis).copied().unwrap_or(0.0))
     }
 
     /// The 3ᵈ − 1 cells around a cell, fewer at the border of the box.
@@ -230,7 +235,7 @@ mod tests {
         assert_eq!(grid.len(), 12);
         let cell = grid.cell(&[2.2, 0.6]).unwrap();
         assert_eq!(cell, 2 * 4 + 1);
-        assert_eq!(grid.centre(cell), vec![2.5, 0.75]);
+        assert_eq!(grid.parameters(cell), vec![2.5, 0.75]);
         assert_eq!(grid.cell(&[1.0]), None);
     }
 

@@ -10,10 +10,12 @@ pub mod family;
 mod find;
 pub mod gamma;
 pub mod grid;
+mod noisy;
 pub mod persistence;
 mod rounds;
 mod solutions;
 pub mod space;
+pub mod trace;
 pub mod vote;
 
 pub use find::find;

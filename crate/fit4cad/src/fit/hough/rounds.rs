@@ -3,7 +3,8 @@
 
 use super::borders::Borders;
 use super::curve::is_curve;
-use super::vote::{Spaces, Summit, View, Vote};
+use super::find::Work;
+use super::vote::{Summit, Vote};
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
 use crate::fit::{Candidate, Parameters, Search};
 use crate::surface::{Surface, SurfaceType};
@@ -24,7 +25,7 @@ pub enum Evidence<'b> {
 impl Evidence<'_> {
     /// Whether a candidate has points enough beyond those that any surface of its family would
     /// hold, and evidence of its own.
-    fn suffices(&self, search: &Search<'_>, candidate: &Candidate) -> bool {
+    fn suffices(&self, search: &mut Search<'_>, candidate: &Candidate) -> bool {
         let smallest = Parameters::count(search.parameters.smallest);
         let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
         let (evident, shape): (usize, Vec<u32>) = match self {
@@ -41,47 +42,41 @@ impl Evidence<'_> {
             }
         };
         candidate.support.len() >= smallest.max(redundant)
-            && evident >= smallest.max(3)
+            && evident
+                >= smallest.max(if search.scale.is_clean() {
+                    3
+                } else {
+                    NOISY_OWN
+                })
             && !is_curve(&search.points(&shape), 2.0 * search.scale.tolerance)
-            && is_broad(search, &candidate.support)
+            && search.thickness(candidate) >= THICKNESS
     }
 }
 
-/// Nearest neighbours looked at, and how many of them must on average belong to a patch. Along a row
-/// of points it is two or three, in a strip of two rows five.
-const NEAREST: usize = 8;
-const BREADTH: f64 = 3.5;
+/// Points of its own that a surface of a noisy cloud needs: over fewer, noise bends a plane into
+/// anything.
+const NOISY_OWN: usize = 12;
 
-/// Whether a patch is broader than a row of points, which lies on too many surfaces.
-fn is_broad(search: &Search<'_>, support: &[u32]) -> bool {
-    let stride = support.len().div_ceil(SAMPLE).max(1);
-    let (mut inside, mut count) = (0_usize, 0_usize);
-    for &index in support.iter().step_by(stride) {
-        let nearest = search.graph.of(index).iter().take(NEAREST);
-        inside += nearest
-            .filter(|neighbour| support.binary_search(neighbour).is_ok())
-            .count();
-        count += 1;
-    }
-    inside as f64 >= BREADTH * count as f64
-}
+/// Mean number of a patch's own points among the eight nearest of each: along a row of points, which
+/// lies on too many surfaces, it is two or three, in a strip of two rows five.
+const THICKNESS: f64 = 3.5;
 
 /// Counts the votes of all families and accepts the winners. Returns how many there were.
 pub fn round(
     search: &mut Search<'_>,
-    spaces: &Spaces,
+    work: &mut Work<'_>,
     votes: &[Vote],
     evidence: &mut Evidence<'_>,
-    view: &mut dyn FnMut(View<'_>),
 ) -> usize {
     let share = search.parameters.persistence;
     let mut summits: Vec<Summit> = Vec::new();
     for kind in SurfaceType::ALL {
-        summits.extend(spaces.climb(kind, votes, share, 1, view));
+        summits.extend(work.spaces.climb(kind, votes, share, 1, &mut work.recorder));
     }
     summits.sort_by_key(|summit| std::cmp::Reverse(summit.voters.len()));
     let mut candidates: Vec<Candidate> = Vec::new();
     for summit in &summits {
+        work.recorder.summit(&summit.surface, summit.voters.len());
         let seeds: Vec<u32> = summit
             .voters
             .iter()
@@ -92,7 +87,7 @@ pub fn round(
             grow(search, &summit.surface, &seeds, &mut candidates);
         }
     }
-    accept_winners(search, candidates, evidence)
+    accept_winners(search, work, candidates, evidence)
 }
 
 /// Whether a candidate of the same family has already grown over a point.
@@ -133,6 +128,7 @@ fn grow(
 /// worth most after its worth is taken anew is the best.
 fn accept_winners(
     search: &mut Search<'_>,
+    work: &mut Work<'_>,
     candidates: Vec<Candidate>,
     evidence: &mut Evidence<'_>,
 ) -> usize {
@@ -163,6 +159,7 @@ fn accept_winners(
             if let Evidence::Borders(borders) = evidence {
                 borders.settle(&winner.support);
             }
+            work.recorder.accepted(&winner);
             search.accept(winner);
             accepted += 1;
         }

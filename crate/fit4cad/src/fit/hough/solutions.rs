@@ -86,12 +86,13 @@ pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote>
 }
 
 /// The votes of a neighbourhood that may reach over edges: of each family the surface that most of
-/// its points agree with, as long as no other family sees clearly more.
+/// its points agree with, as long as no other family sees more than `slack` points more.
 pub fn mixed_votes(
     search: &Search<'_>,
     index: u32,
     patch: &[u32],
     kinds: &[SurfaceType],
+    slack: usize,
     found: &mut Vec<Vote>,
 ) {
     let points = search.points(patch);
@@ -107,6 +108,6 @@ pub fn mixed_votes(
         best.extend(most);
     }
     let most = best.iter().map(|(count, _)| *count).max().unwrap_or(0);
-    let voted = best.into_iter().filter(|(count, _)| count + 1 >= most);
+    let voted = best.into_iter().filter(|(count, _)| count + slack >= most);
     found.extend(voted.map(|(_, surface)| vote(search, index, surface)));
 }

@@ -12,4 +12,7 @@ pub trait Space {
 
     /// Calls `visit` for every neighbour of a cell, in a fixed order.
     fn neighbours(&self, cell: usize, visit: &mut dyn FnMut(usize));
+
+    /// Coordinates of the middle of a cell; those beyond the space's dimension are 0.
+    fn centre(&self, cell: usize) -> [f64; 3];
 }

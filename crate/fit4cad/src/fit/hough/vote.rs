@@ -11,6 +11,7 @@ use super::family::{Region, Rung, Settled, ladder, surface};
 use super::grid::Grid;
 use super::persistence::Diagram;
 use super::space::Space;
+use super::trace::Recorder;
 use crate::cloud::{Point, Vector};
 use crate::surface::{Surface, SurfaceType};
 
@@ -80,7 +81,7 @@ impl Spaces {
         votes: &[Vote],
         share: f64,
         least: usize,
-        view: &mut dyn FnMut(View<'_>),
+        recorder: &mut Recorder<'_>,
     ) -> Vec<Summit> {
         let mut climb = Climb {
             spaces: self,
@@ -88,7 +89,7 @@ impl Spaces {
             votes,
             share,
             least: least.max(1),
-            view,
+            recorder,
             summits: Vec::new(),
         };
         let all = (0_u32..)
@@ -108,17 +109,17 @@ impl Spaces {
     }
 }
 
-struct Climb<'a> {
+struct Climb<'a, 'o> {
     spaces: &'a Spaces,
     kind: SurfaceType,
     votes: &'a [Vote],
     share: f64,
     least: usize,
-    view: &'a mut dyn FnMut(View<'_>),
+    recorder: &'a mut Recorder<'o>,
     summits: Vec<Summit>,
 }
 
-impl Climb<'_> {
+impl Climb<'_, '_> {
     fn rung(&mut self, rungs: &[Rung], voters: Vec<u32>, settled: &Settled) {
         if voters.len() < self.least {
             return;
@@ -175,13 +176,14 @@ impl Climb<'_> {
             .collect();
         let accumulator = Accumulator::count(ballots);
         let diagram = accumulator.maxima(space);
-        (self.view)(View {
+        let view = View {
             kind: self.kind,
             rung,
             settled,
             accumulator: &accumulator,
             diagram: &diagram,
-        });
+        };
+        self.recorder.accumulator(&view, self.share, space);
         diagram
             .significant(self.share)
             .map(|peak| {
@@ -253,7 +255,7 @@ mod tests {
     }
 
     fn climb(kind: SurfaceType, votes: &[Vote]) -> Vec<Summit> {
-        spaces().climb(kind, votes, 0.1, 3, &mut |_| {})
+        spaces().climb(kind, votes, 0.1, 3, &mut Recorder::new(&mut ()))
     }
 
     #[test]
