@@ -355,10 +355,17 @@ impl<'a> Search<'a> {
             .filter(|(worth, _)| *worth >= NEARLY * most)
             .map(|(_, c)| c.error)
             .fold(f64::INFINITY, f64::min);
-        let floor = 0.3 * self.scale.tolerance;
+        let is_good = |c: &Candidate| {
+            if self.scale.is_clean() {
+                c.error <= 2.0 * least_error + 0.3 * self.scale.tolerance
+            } else {
+                // The error of n points is known to about one part in the root of 2n.
+                c.error <= least_error * (1.0 + NOISE_SPREAD / (c.support.len() as f64).sqrt())
+            }
+        };
         rated
             .into_iter()
-            .filter(|(worth, c)| *worth >= NEARLY * most && c.error <= 2.0 * least_error + floor)
+            .filter(|(worth, c)| *worth >= NEARLY * most && is_good(c))
             .min_by(|(worth, a), (other, b)| {
                 complexity(a.surface.kind())
                     .cmp(&complexity(b.surface.kind()))
@@ -420,6 +427,8 @@ impl<'a> Search<'a> {
 }
 
 const GROWTH_ROUNDS: usize = 24;
+/// By how many parts in the root of the number of points a fitting error may be larger by chance.
+const NOISE_SPREAD: f64 = 3.0;
 /// Share of the most worth that counts as nearly as much.
 const NEARLY: f64 = 0.97;
 

@@ -37,7 +37,7 @@ pub fn find(search: &mut Search<'_>, work: &mut Work<'_>) -> Result<(), Cancelle
                 return;
             }
             let before = votes.len();
-            solutions::mixed_votes(search, seed, &patch, kinds, patch.len() / 8, votes);
+            solutions::mixed_votes(search, seed, &patch, kinds, patch.len() / 4, votes);
             // The next seed should see another part of the cloud.
             let near = if votes.len() > before {
                 size / 4

@@ -6,6 +6,7 @@ use super::curve::is_curve;
 use super::find::Work;
 use super::vote::{Summit, Vote};
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
+use crate::fit::local;
 use crate::fit::{Candidate, Parameters, Search};
 use crate::surface::{Surface, SurfaceType};
 
@@ -98,8 +99,9 @@ fn is_grown(candidates: &[Candidate], surface: &Surface, point: u32) -> bool {
     })
 }
 
-/// Grows a surface from its voters. A cylinder is also tried as a cone: a small patch of a cone
-/// fits a cylinder well, but not over the whole face.
+/// Grows a surface from its voters, and its rivals from an even sample of its patch. A cylinder is
+/// also tried as a cone: a small patch of a cone fits a cylinder well, but not over the whole face.
+/// Within noise every surface is also tried as the simpler ones.
 fn grow(
     search: &mut Search<'_>,
     surface: &Surface,
@@ -109,15 +111,33 @@ fn grow(
     let Some(candidate) = search.grow(surface, seeds) else {
         return;
     };
+    let stride = candidate.support.len().div_ceil(SAMPLE).max(1);
+    let sample: Vec<u32> = candidate.support.iter().copied().step_by(stride).collect();
+    let points = search.points(&sample);
+    let mut rivals: Vec<Surface> = Vec::new();
     if let Surface::Cylinder(cylinder) = &candidate.surface {
-        let stride = candidate.support.len().div_ceil(SAMPLE).max(1);
-        let sample: Vec<u32> = candidate.support.iter().copied().step_by(stride).collect();
-        let points = search.points(&sample);
-        if let Some(cone) = least_squares::fit_cone_near(cylinder, &points, Loss::Squares)
-            && let Some(rival) = search.grow(&cone.surface, &sample)
-        {
-            candidates.push(rival);
-        }
+        let cone = least_squares::fit_cone_near(cylinder, &points, Loss::Squares);
+        rivals.extend(cone.map(|fitted| fitted.surface));
+    }
+    if !search.scale.is_clean() {
+        let simpler: &[SurfaceType] = match candidate.surface.kind() {
+            SurfaceType::Plane => &[],
+            SurfaceType::Cylinder => &[SurfaceType::Plane],
+            SurfaceType::Sphere => &[SurfaceType::Plane, SurfaceType::Cylinder],
+            SurfaceType::Cone | SurfaceType::Torus => &[
+                SurfaceType::Plane,
+                SurfaceType::Cylinder,
+                SurfaceType::Sphere,
+            ],
+        };
+        rivals.extend(
+            simpler
+                .iter()
+                .flat_map(|&kind| local::starts(kind, &points)),
+        );
+    }
+    for rival in rivals {
+        candidates.extend(search.grow(&rival, &sample));
     }
     candidates.push(candidate);
 }
