@@ -93,9 +93,11 @@ pub fn fit(
     }
     match method {
         Method::Hough => hough::find(&mut search, observer)?,
-        Method::Growing => growing::find(&mut search, observer)?,
+        Method::Growing => {
+            growing::find(&mut search, observer)?;
+            detect::borders(&mut search, observer)?;
+        }
     }
-    detect::borders(&mut search, observer)?;
     let segmentation = stages::finish(&search, observer)?;
     Ok(Fit {
         segmentation,

@@ -12,7 +12,7 @@ use super::solutions::vote;
 use super::vote::Vote;
 use crate::cloud::{Direction, Point};
 use crate::fit::{Candidate, Search};
-use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, Torus};
+use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, Torus, across};
 
 /// A known axis of revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,6 +89,11 @@ impl KnownAxis {
 
     fn at(&self, height: f64) -> Point {
         self.point + self.direction.into_inner() * height
+    }
+
+    /// A point at a place of the half-plane.
+    fn point_at(&self, place: &Profile) -> Point {
+        self.at(place.height) + across(&self.direction).into_inner() * place.radius
     }
 
     /// The direction in the half-plane along which a surface of revolution about the axis runs at
@@ -216,6 +221,60 @@ fn squared(a: &Profile, b: &Profile) -> f64 {
     (a.radius - b.radius).powi(2) + (a.height - b.height).powi(2)
 }
 
+/// The votes of a neighbourhood that may be mixed, along the known axes: circles and lines through
+/// the place of its first point and two others that many of its places lie on. O(axes × points).
+pub fn mixed_coaxial_votes(
+    search: &Search<'_>,
+    axes: &[KnownAxis],
+    index: u32,
+    patch: &[u32],
+    found: &mut Vec<Vote>,
+) {
+    let tolerance = search.scale.tolerance;
+    let points = search.points(patch);
+    for axis in axes {
+        let places: Vec<Profile> = points.iter().map(|point| axis.profile(point)).collect();
+        let places = distinct(&places, tolerance);
+        let needed = AGREEING.max(places.len() / 2);
+        let near = &places[..places.len().min(PARTNERS)];
+        let [seed, partners @ ..] = near else {
+            continue;
+        };
+        let pairs = (1..partners.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let best = pairs
+            .filter_map(|(i, j)| {
+                let triple = [*seed, partners[i], partners[j]];
+                let surface = turned_triple(axis, &triple, tolerance)?;
+                let on = |place: &&Profile| surface.distance(&axis.point_at(place)) <= tolerance;
+                Some((places.iter().filter(on).count(), surface))
+            })
+            .max_by_key(|(count, _)| *count);
+        if let Some((count, surface)) = best
+            && count >= needed
+            && search.is_plausible(&surface)
+        {
+            found.push(vote(search, index, surface));
+        }
+    }
+}
+
+/// Distinct places that must agree where a neighbourhood may be mixed.
+const AGREEING: usize = 7;
+/// Nearest places that a curve through the first is tried with.
+const PARTNERS: usize = 7;
+
+/// The surface of revolution through three places: of a line if they are on one, else of a circle.
+fn turned_triple(axis: &KnownAxis, triple: &[Profile; 3], tolerance: f64) -> Option<Surface> {
+    let flat = triple.map(|place| [place.radius, place.height]);
+    let (a, b) = farthest(triple)?;
+    match circle(&flat) {
+        Some(([radius, height], size)) => {
+            Some(axis.turned_circle(Profile { radius, height }, size, tolerance))
+        }
+        None => Some(axis.turned_line(a, b, tolerance)),
+    }
+}
+
 /// The votes of a neighbourhood of free points along the known axes, where the rings of points are
 /// so few that lines and circles through them prove nothing by themselves. A circle must be tangent
 /// to the surfaces it blends at both ends; a line must join rings of two surfaces.
@@ -322,7 +381,7 @@ mod tests {
     /// The profiles of points of a surface, `count` of them around the axis.
     fn profiles(surface: &Surface, count: u32) -> Vec<Profile> {
         let axis = axis();
-        let out = crate::surface::across(&axis.direction).into_inner();
+        let out = across(&axis.direction).into_inner();
         (0..count)
             .map(|i| {
                 let t = f64::from(i) * 0.05;

@@ -2,7 +2,7 @@
 //! explain, and vote again until nothing is left to find.
 
 use super::borders::Borders;
-use super::coaxial::{coaxial_votes, known_axes, ring_votes};
+use super::coaxial::{coaxial_votes, known_axes, mixed_coaxial_votes, ring_votes};
 use super::family::Region;
 use super::noisy;
 use super::rounds::{Evidence, round};
@@ -109,6 +109,21 @@ impl Work<'_> {
                 }
             })?;
         }
+        let pass = Pass {
+            failures: 300,
+            batch: BATCH,
+            progress: [0.7, 0.72],
+        };
+        self.pass(search, pass, &mut |search, seed, votes, blocked| {
+            let patch = search.unexplained_near(seed, 16);
+            let before = votes.len();
+            if patch.len() >= 8 {
+                mixed_coaxial_votes(search, &axes, seed, &patch, votes);
+            }
+            if votes.len() == before {
+                block(&patch, blocked);
+            }
+        })?;
         let pass = Pass {
             failures: 60,
             batch: BATCH,
@@ -229,8 +244,14 @@ impl Work<'_> {
                 }
                 let before = votes.len();
                 ring_votes(search, &borders, &axes, seed, &patch, &mut votes);
-                if votes.len() == before {
-                    votes.extend(solutions::pure_vote(search, seed, &patch));
+                if votes.len() == before
+                    && let Some(vote) = solutions::pure_vote(search, seed, &patch)
+                {
+                    // Two rows of border points are in a plane and in any number of quadrics.
+                    let inside = patch.iter().filter(|&&i| !search.is_explained(i)).count();
+                    if 4 * inside >= patch.len() || vote.surface.kind() == SurfaceType::Plane {
+                        votes.push(vote);
+                    }
                 }
             }
             accepted += round(search, self, &votes, &mut Evidence::Borders(&mut borders));
@@ -252,8 +273,12 @@ fn mixed(
     let before = votes.len();
     solutions::mixed_votes(search, seed, patch, kinds, 1, votes);
     if votes.len() == before {
-        for &index in patch.iter().take(BLOCK) {
-            blocked[index as usize] = true;
-        }
+        block(patch, blocked);
+    }
+}
+
+fn block(patch: &[u32], blocked: &mut [bool]) {
+    for &index in patch.iter().take(BLOCK) {
+        blocked[index as usize] = true;
     }
 }
