@@ -3,6 +3,7 @@
 import init, { View } from "../../generated/view/view.js";
 import { Gestures } from "./gestures";
 import { bytes, rgb, SEQUENTIAL } from "./palette";
+import { PickQueue } from "./pick-queue";
 import {
   type CameraState,
   type Hit,
@@ -26,12 +27,6 @@ const REACH = 6;
 /** The renderer's code is fetched once, whoever asks first. */
 let loading: Promise<unknown> | undefined;
 
-interface PickRequest {
-  readonly x: number;
-  readonly y: number;
-  readonly answer: (hit: Hit | undefined) => void;
-}
-
 export class PointView {
   readonly canvas: HTMLCanvasElement;
   private readonly view: View;
@@ -49,10 +44,7 @@ export class PointView {
   private layout: Layout = { kind: "split" };
   private told = "";
   private theme: Theme = { background: "#ffffff", ink: "#000000" };
-  /** The pick under way, those that wait for it, and where the cursor has gone meanwhile. */
-  private picking: PickRequest | undefined;
-  private waiting: PickRequest[] = [];
-  private cursor: { readonly x: number; readonly y: number } | undefined;
+  private readonly picks: PickQueue;
   private hovered = "";
   private stale = true;
 
@@ -88,6 +80,7 @@ export class PointView {
   private constructor(canvas: HTMLCanvasElement, view: View) {
     this.canvas = canvas;
     this.view = view;
+    this.picks = new PickQueue(view);
     this.gestures = new Gestures(this);
     this.sizes = new ResizeObserver((entries) => this.measure(entries.at(-1)));
     this.sizes.observe(canvas);
@@ -106,7 +99,7 @@ export class PointView {
     this.sizes.disconnect();
     this.gestures.dispose();
     cancelAnimationFrame(this.request);
-    this.abandonPicking();
+    this.picks.abandon();
     this.usable = false;
     this.view.free();
   }
@@ -288,20 +281,19 @@ export class PointView {
    */
   pick(x: number, y: number): Promise<Hit | undefined> {
     if (!this.usable) return Promise.resolve(undefined);
-    return new Promise((answer) => {
-      this.waiting.push({ x, y, answer });
-      this.schedule();
-    });
+    const hit = this.picks.ask({ x: x * this.ratio, y: this.up(y) }, this.reach);
+    this.schedule();
+    return hit;
   }
 
   /** The cursor is at a position, or has left. Listeners to `hover` hear when it comes to another point. */
   hover(x?: number, y?: number): void {
     if (x === undefined || y === undefined) {
-      this.cursor = undefined;
+      this.picks.forgetLightly();
       this.tellHover(undefined, -1, -1);
-    } else if (this.listeners.hover?.size) {
-      // Only the latest position is looked into.
-      this.cursor = { x, y };
+    } else if (this.usable && this.listeners.hover?.size) {
+      const place = { x: x * this.ratio, y: this.up(y) };
+      this.picks.askLightly(place, this.reach, (hit) => this.tellHover(hit, x, y));
       this.schedule();
     }
   }
@@ -375,12 +367,12 @@ export class PointView {
   private step(now: number): void {
     this.request = 0;
     if (!this.usable) return;
-    this.proceedPicking();
+    this.picks.proceed();
     if (this.stale) {
       this.stale = this.view.draw(now, performance.now() - this.asked);
       if (!this.stale) this.tellCamera();
     }
-    if (this.stale || this.picking || this.cursor || this.waiting.length > 0) this.schedule();
+    if (this.stale || this.picks.busy) this.schedule();
   }
 
   private tellCamera(): void {
@@ -392,28 +384,6 @@ export class PointView {
     }
   }
 
-  private proceedPicking(): void {
-    if (this.picking) {
-      const found = this.view.poll_pick();
-      if (!found) return;
-      const [side = 0, index = -1] = found;
-      this.settle(index < 0 ? undefined : { side: side as Side, index });
-    }
-    const next = this.waiting.shift() ?? this.nextHover();
-    if (next) {
-      this.picking = next;
-      const reach = Math.round(REACH * this.ratio);
-      const started = this.view.start_pick(next.x * this.ratio, this.up(next.y), reach);
-      if (!started) this.settle(undefined);
-    }
-  }
-
-  private nextHover(): PickRequest | undefined {
-    const { cursor } = this;
-    this.cursor = undefined;
-    return cursor && { ...cursor, answer: (hit) => this.tellHover(hit, cursor.x, cursor.y) };
-  }
-
   private tellHover(hit: Hit | undefined, x: number, y: number): void {
     const hovered = hit ? `${hit.side} ${hit.index}` : "";
     if (hovered !== this.hovered) {
@@ -422,16 +392,9 @@ export class PointView {
     }
   }
 
-  private settle(hit: Hit | undefined): void {
-    const { picking } = this;
-    this.picking = undefined;
-    picking?.answer(hit);
-  }
-
-  private abandonPicking(): void {
-    this.settle(undefined);
-    for (const { answer } of this.waiting.splice(0)) answer(undefined);
-    this.cursor = undefined;
+  /** How far from the cursor a point may lie and still be meant, in device pixels. */
+  private get reach(): number {
+    return Math.round(REACH * this.ratio);
   }
 
   private animated(wanted: boolean): boolean {
@@ -462,7 +425,7 @@ export class PointView {
     // Without this the browser would not give the context back.
     event.preventDefault();
     this.usable = false;
-    this.abandonPicking();
+    this.picks.abandon();
     this.view.lose();
     this.tell("context", false);
   }
