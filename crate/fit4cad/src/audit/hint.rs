@@ -99,13 +99,19 @@ fn owner(
     other.map(|other| other.number)
 }
 
-/// The first other primitive with the same vector.
+/// The first other primitive with the same vector, though its other form is another: two patches
+/// of one surface rightly share both.
 fn same_vector(truth: &Segmentation, primitive: &Primitive, form: Form) -> Option<u32> {
     let own = vector(primitive, form).values()?;
+    let opposite = match form {
+        Form::Parametric => Form::Implicit,
+        Form::Implicit => Form::Parametric,
+    };
     let same = |other: &&Primitive| {
         !std::ptr::eq(*other, primitive)
             && other.kind == primitive.kind
             && vector(other, form).values() == Some(own)
+            && vector(other, opposite) != vector(primitive, opposite)
     };
     let mut others = truth.primitives.iter().take(SEARCHED);
     others.find(same).map(|other| other.number)

@@ -63,7 +63,8 @@ pub(super) fn add_structural(truth: &Segmentation, findings: &mut Vec<Finding>) 
     // An entry of an unknown type is as good as none, which need not be said twice.
     let untold = problems.filter(|problem| {
         let is_told = |check| told.contains(&(Some(problem.number), check));
-        !is_told(problem.check) && !(problem.check == Check::Vector && is_told(Check::Type))
+        let of_unknown_type = problem.check == Check::Vector && is_told(Check::Type);
+        !(is_told(problem.check) || of_unknown_type)
     });
     findings.extend(untold.map(|problem| Finding {
         primitive: Some(problem.number),
