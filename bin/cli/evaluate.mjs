@@ -4,12 +4,13 @@ import { createHash } from "node:crypto";
 import { readInputs, unusable } from "./inputs.mjs";
 
 /**
- * Scores every submission among the files; with `self`, the truth against itself instead. Gives
+ * Scores every submission among the files; with `self`, the truth against itself instead. The
+ * overrides say, by path, what is known better about a file than its name tells. Gives
  * `{ results, diagnostics }`: the reports in the engine's order, by model number, name and method,
  * each with the engine's version and the files it was made of.
  */
-export function evaluate(engine, files, { protocol, self = false, progress = () => {} }) {
-  const grouping = engine.group(files.map(({ path }) => path));
+export function evaluate(engine, files, { protocol, overrides = {}, self = false, progress = () => {} }) {
+  const grouping = engine.group(files.map(({ path }) => path), overrides);
   const diagnostics = grouping.unplaced.map(({ path, reason: why }) =>
     unusable(path, why, "", "warning"),
   );

@@ -21,7 +21,7 @@ Try it on a model of your own making:
 Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
 `;
 
-const score = () => `fit4cad score PATH… [--protocol definition|published] [--format FORMAT] [--self]
+const score = () => `fit4cad score PATH… [--protocol definition|published] [--format FORMAT] [--self] [--as …]
 
 Scores every submission found in the given files, folders and zips against the ground truth found
 beside it. Files belong to one model by their names:
@@ -46,6 +46,10 @@ method's submission; files in other folders are the truth. One of the two surfac
   --format latex          a booktabs table like the paper's
   --format markdown       a table for a README or a discussion
   --self                  scores the truth against itself, as method "truth"
+  --as role=R,model=M,method=N:FILE
+                          FILE is R (cloud, primitives, parametric, implicit) of model M, found by
+                          method N (empty: the truth), whatever its name says; each of the three
+                          may be left out, and the option may be repeated
 
 Measures, each the mean over primitives; n/a (null in JSON) where one cannot be had:
   DSC PPV TPR TNR NPV ACC  agreement of the point sets: Dice, precision, recall, specificity,

@@ -1,6 +1,7 @@
 // `fit4cad score`.
 
 import { FORMATS } from "../formats/index.mjs";
+import { corrections } from "./corrections.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { evaluate } from "./evaluate.mjs";
@@ -12,6 +13,7 @@ const OPTIONS = {
   protocol: { type: "string", default: "definition" },
   format: { type: "string", default: "table" },
   self: { type: "boolean", default: false },
+  as: { type: "string", multiple: true, default: [] },
 };
 
 /** Scores what the arguments name; gives the exit code. */
@@ -22,12 +24,15 @@ export async function score(args) {
   }
   const protocol = choice("protocol", values.protocol, ["definition", "published"]);
   const format = choice("format", values.format, Object.keys(FORMATS));
+  const overrides = corrections(values.as);
   const engine = await loadEngine();
 
   progress.show("looking for files");
   const inputs = collect(positionals);
+  refuseUnknown(Object.keys(overrides), inputs.files);
   const { results, diagnostics } = evaluate(engine, inputs.files, {
     protocol,
+    overrides,
     self: values.self,
     progress: (text) => progress.show(`scoring ${text}`),
   });
@@ -43,6 +48,13 @@ export async function score(args) {
   await print(FORMATS[format](results));
   const failed = results.length === 0 || problems.some(({ severity }) => severity === "error");
   return failed ? 1 : 0;
+}
+
+function refuseUnknown(corrected, files) {
+  const known = new Set(files.map(({ path }) => path));
+  for (const path of corrected.filter((candidate) => !known.has(candidate))) {
+    throw new UsageError(`--as …:${path}: there is no such file among those given`);
+  }
 }
 
 /** JSON holds the diagnostics of its reports itself; only the others are left for the terminal. */

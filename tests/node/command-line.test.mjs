@@ -2,10 +2,11 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { pageModule } from "./page.mjs";
+import { fit4cad, folder, submitted } from "./support.mjs";
 
 const { commandLine } = await pageModule("export/command.ts");
 
-const onScreen = (change) => ({ paths: [], samples: [], protocol: "definition", ...change });
+const onScreen = (change) => ({ paths: [], samples: [], corrections: {}, protocol: "definition", ...change });
 
 /** The arguments of each call of `fit4cad` in a line, as a POSIX shell understands it. */
 function understood(line) {
@@ -45,6 +46,42 @@ test("whatever a folder is called, the shell takes it for one name", () => {
     assert.deepEqual(understood(line), [["score", name]], line);
   }
   assert.deepEqual(understood(commandLine(onScreen({ paths: ["--format/PC1.txt"] }))), [["score", "./--format"]]);
+});
+
+test("corrections made by hand are in the line, and the command line heeds them", (t) => {
+  const { "pointCloud/PC1.txt": cloud, ...files } = submitted("PC1", "HT");
+  const root = folder(t, { ...files, "scan, 50% of it.asc": cloud });
+  const corrections = {
+    [`${root}/scan, 50% of it.asc`]: { role: "cloud", model: "PC1" },
+    ...Object.fromEntries(
+      ["primitives", "parametric", "implicit"].map((role) => [
+        `${root}/pointCloud_${role}_HT/PC1_${role}.txt`,
+        { method: "a:b,c" },
+      ]),
+    ),
+  };
+  // As if the folder had been dropped from where paths begin.
+  const line = commandLine(onScreen({ paths: Object.keys(corrections), corrections }));
+  const [[, ...words]] = understood(line);
+  const options = words.slice(words.indexOf("--as"));
+  const { code, out } = fit4cad("score", root, "--format", "json", ...options);
+  assert.deepEqual(JSON.parse(out).map(({ model, method }) => [model, method]), [["PC1", "a:b,c"]]);
+  assert.equal(code, 0);
+});
+
+test("a correction that cannot be understood, or of no file, is a wrong call", (t) => {
+  const root = folder(t, submitted("PC1", "HT"));
+  for (const [value, expected] of [
+    ["role=cloud", /expected role=…/],
+    ["role=sphere:x", /expected cloud, primitives/],
+    ["colour=red:x", /before the colon/],
+    ["model=100%:x", /%25/],
+    ["role=cloud:no such file", /no such file among those given/],
+  ]) {
+    const { code, err } = fit4cad("score", root, "--as", value);
+    assert.equal(code, 2, value);
+    assert.match(err, expected);
+  }
 });
 
 test("nothing on screen gives no line", () => {

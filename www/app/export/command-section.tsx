@@ -17,24 +17,19 @@ const line = computed(() => {
   const samples = entries.value.flatMap(({ origin }): SampleOnScreen[] =>
     origin.kind === "sample" ? [{ part: origin.part, options: origin.options }] : [],
   );
-  return commandLine({ paths: [...brought.value.keys()], samples, protocol: protocol.value });
+  const paths = [...brought.value.keys()];
+  return commandLine({ paths, samples, corrections: overrides.value, protocol: protocol.value });
 });
 
-/** What the line cannot say. */
-const caveats = computed(() => {
-  const found: string[] = [];
-  if (Object.keys(overrides.value).length > 0) {
-    found.push("Corrections made under Files are not in it: rename the files, so that their names say the same.");
-  }
-  const fitted = entries.value.some(({ origin, source }) =>
+/** Whether there are submissions that no file holds, which the line hence cannot name. */
+const hasFitted = computed(() =>
+  entries.value.some(({ origin, source }) =>
     source.files.some(
       ({ path, method }) =>
         method !== undefined && !brought.value.has(path) && !(origin.kind === "sample" && method === IMPERFECT),
     ),
-  );
-  if (fitted) found.push("Submissions made on this page are not in it: save them as a zip and add its name to the line.");
-  return found;
-});
+  ),
+);
 
 export function CommandSection(): JSX.Element | null {
   const text = line.value;
@@ -51,11 +46,11 @@ export function CommandSection(): JSX.Element | null {
           Copy as command
         </button>
       </div>
-      {caveats.value.map((caveat) => (
-        <p key={caveat} class="hint">
-          {caveat}
+      {hasFitted.value && (
+        <p class="hint">
+          Submissions made on this page are not in it: save them as a zip and add its name to the line.
         </p>
-      ))}
+      )}
     </section>
   );
 }

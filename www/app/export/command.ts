@@ -1,6 +1,6 @@
 // The command line that repeats what is on screen.
 
-import type { Protocol, SampleOptions } from "../engine/contract";
+import type { Override, Protocol, SampleOptions } from "../engine/contract";
 
 /** A sample on the page, with the imperfect submission it comes with. */
 export interface SampleOnScreen {
@@ -12,16 +12,19 @@ export interface OnScreen {
   /** Paths of the files that were brought, as they were dropped. */
   readonly paths: readonly string[];
   readonly samples: readonly SampleOnScreen[];
+  /** What the reader corrected about files, by path. */
+  readonly corrections: Readonly<Record<string, Override>>;
   readonly protocol: Protocol;
 }
 
 /** The line, to be run where the dropped files and folders are; undefined where there is nothing to repeat. */
-export function commandLine({ paths, samples, protocol }: OnScreen): string | undefined {
+export function commandLine({ paths, samples, corrections, protocol }: OnScreen): string | undefined {
   const made = samples.map(({ part, options }) => [part, generate(part, options)] as const);
   const places = [...made.map(([folder]) => folder), ...roots(paths)];
   if (places.length === 0) return undefined;
   const choice = protocol === "definition" ? [] : ["--protocol", protocol];
-  const score = ["fit4cad", "score", ...places.map(path), ...choice].join(" ");
+  const corrected = paths.flatMap((file) => correction(file, corrections[file] ?? {}));
+  const score = ["fit4cad", "score", ...places.map(path), ...choice, ...corrected].join(" ");
   return [...made.map(([, line]) => line), score].join(" && ");
 }
 
@@ -31,6 +34,14 @@ function generate(part: string, options: SampleOptions): string {
     return value === undefined ? [] : [`--${option}`, String(value)];
   });
   return ["fit4cad", "generate", quoted(part), ...given, "--imperfect", "--out", path(part)].join(" ");
+}
+
+function correction(file: string, override: Override): string[] {
+  const said = (["role", "model", "method"] as const).flatMap((key) => {
+    const value = override[key];
+    return value === undefined ? [] : `${key}=${value.replace(/[%,:]/g, encodeURIComponent)}`;
+  });
+  return said.length === 0 ? [] : ["--as", quoted(`${said.join(",")}:${file}`)];
 }
 
 /** What was dropped: whole folders and zips, and loose files. */
