@@ -3,8 +3,7 @@
 import { accuracy } from "./fit/accuracy.mjs";
 import { degradation } from "./fit/degradation.mjs";
 import { freeForm } from "./fit/free-form.mjs";
-import { growth } from "./fit/growth.mjs";
-import { METHODS, fitted } from "./fit/fitted.mjs";
+import { growth, warmUp } from "./fit/growth.mjs";
 import { models } from "./fit/models.mjs";
 
 export const name = "fit";
@@ -20,13 +19,4 @@ export async function measure(bench, { models: most, quick }) {
   degradation(bench, known, { most: quick ? 4 : Math.min(most, 40) });
   freeForm(bench, known, { most: quick ? 4 : most });
   await growth(bench, { sizes: quick ? [1e4, 1e5] : [1e4, 1e5, 1e6] });
-}
-
-/** Lets the machine code of both methods be made before anything is timed. */
-function warmUp(engine) {
-  const model = engine.Model.generate(engine.parts()[0].name, {});
-  for (const method of METHODS) {
-    fitted(model, method);
-  }
-  model.free();
 }

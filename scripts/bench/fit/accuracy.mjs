@@ -3,17 +3,21 @@
 import { METHODS, fitted, summary } from "./fitted.mjs";
 import { evenly } from "./models.mjs";
 
+const share = (value) => value.toFixed(4);
+const error = (value) => value.toExponential(1);
+const seconds = (value) => value.toFixed(3);
+
 /** What is to be reached on the training set. Errors are over the diagonal of each primitive's points. */
 const FIGURES = [
-  { id: "dsc", label: "mean DSC", digits: 4, least: { ht: 0.985, pg: 0.95 } },
-  { id: "worst", label: "DSC of the worst model", digits: 4, least: { ht: 0.75, pg: 0.6 } },
-  { id: "predictionDsc", label: "DSC from the prediction's side", digits: 4, least: { ht: 0.95, pg: 0.92 } },
-  { id: "typeRight", label: "type right, share of matched", digits: 4, least: { ht: 0.99, pg: 0.97 } },
-  { id: "mfe", label: "mean MFE", digits: 6, most: { ht: 0.0003 } },
-  { id: "dHaus", label: "mean dHaus", digits: 6, most: { ht: 0.001 } },
-  { id: "d1", label: "mean d1", digits: 6, most: { ht: 0.003 } },
-  { id: "seconds", label: "seconds, median model", digits: 3, most: { ht: 0.3, pg: 0.25 } },
-  { id: "slowest", label: "seconds, slowest model", digits: 3, most: { ht: 3, pg: 2 } },
+  { id: "dsc", label: "mean DSC", show: share, least: { ht: 0.985, pg: 0.95 } },
+  { id: "worst", label: "DSC of the worst model", show: share, least: { ht: 0.75, pg: 0.6 } },
+  { id: "predictionDsc", label: "DSC from the prediction's side", show: share, least: { ht: 0.95, pg: 0.92 } },
+  { id: "typeRight", label: "type right, share of matched", show: share, least: { ht: 0.99, pg: 0.97 } },
+  { id: "mfe", label: "mean MFE", show: error, most: { ht: 0.0003 } },
+  { id: "dHaus", label: "mean dHaus", show: error, most: { ht: 0.001 } },
+  { id: "d1", label: "mean d1", show: error, most: { ht: 0.003 } },
+  { id: "seconds", label: "seconds, median model", show: seconds, most: { ht: 0.3, pg: 0.25 } },
+  { id: "slowest", label: "seconds, slowest model", show: seconds, most: { ht: 3, pg: 2 } },
 ];
 
 /** Models with less are listed by name. */
@@ -44,8 +48,8 @@ export function accuracy(bench, { real, list }, { most }) {
   }
 }
 
-function judged({ digits, least, most }, method, value, real) {
-  const text = value.toFixed(digits);
+function judged({ show, least, most }, method, value, real) {
+  const text = show(value);
   const [bar, sign] = least ? [least[method], "≥"] : [most?.[method], "≤"];
   if (!real || bar === undefined) {
     return text;
