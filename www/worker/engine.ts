@@ -1,10 +1,20 @@
 // The engine in a worker. One call, one answer; the model read last is kept in case it is wanted again.
 
 import * as Comlink from "comlink";
-import init, { Model, distribution, group, parts, version } from "../generated/engine/engine.js";
-import type { EngineWorker, ModelFile, ModelSource, SegmentationScene, WrittenFiles } from "./protocol";
+import init, { Model, distribution, fitParameters, group, parts, version } from "../generated/engine/engine.js";
+import type {
+  EngineWorker,
+  FittedModel,
+  ModelFile,
+  ModelSource,
+  OnStage,
+  SegmentationScene,
+  WrittenFiles,
+} from "./protocol";
 
 const ready = init();
+
+const PACE_MS = 80;
 
 let held: { key: string; model: Model } | undefined;
 
@@ -53,6 +63,17 @@ function written(model: Model, name: string, method?: string): ModelFile[] {
     file("parametric", parametric),
     file("implicit", implicit),
   ];
+}
+
+/** Passes on each new stage, and what is done of it a few times a second: every message costs the page time. */
+function paced(onStage: OnStage): OnStage {
+  let last = { stage: "", at: -Infinity };
+  return (stage, fraction) => {
+    const now = performance.now();
+    if (stage === last.stage && now - last.at < PACE_MS) return;
+    last = { stage, at: now };
+    onStage(stage, fraction);
+  };
 }
 
 const worker: EngineWorker = {
@@ -134,6 +155,25 @@ const worker: EngineWorker = {
     // One after the other: together they would all be in memory at once.
     for (const content of contents) hashes.push(await sha256(content));
     return hashes;
+  },
+
+  async fitParameters(method) {
+    await ready;
+    return fitParameters(method);
+  },
+
+  async fit(source, { method, parameters, seed }, onStage): Promise<FittedModel> {
+    const model = await read(source);
+    try {
+      const start = performance.now();
+      const name = model.fit(method, { ...parameters }, seed, paced(onStage));
+      const seconds = (performance.now() - start) / 1000;
+      return { method: name, files: written(model, source.name, name), primitives: model.primitives(name).length, seconds };
+    } finally {
+      // It now holds more than its files say.
+      held = undefined;
+      model.free();
+    }
   },
 };
 

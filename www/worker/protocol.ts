@@ -5,9 +5,11 @@
 
 import type {
   Distribution,
+  FitMethod,
   Grouping,
   ModelInfo,
   Override,
+  ParameterInfo,
   PartInfo,
   PatchMesh,
   PrimitiveInfo,
@@ -74,6 +76,28 @@ export interface WrittenFiles {
   readonly files: readonly ModelFile[];
 }
 
+/** How a fitter is to be run. */
+export interface FitRequest {
+  readonly method: FitMethod;
+  /** By name; those left out have their defaults. */
+  readonly parameters: Readonly<Record<string, number>>;
+  readonly seed: number;
+}
+
+/** A submission made by a fitter. */
+export interface FittedModel {
+  /** Its name: that of the method, with a number where the model has one of that name. */
+  readonly method: string;
+  readonly files: readonly ModelFile[];
+  /** How many primitives were found. */
+  readonly primitives: number;
+  /** Seconds of fitting, without reading. */
+  readonly seconds: number;
+}
+
+/** Hears the stage of a fit, and how much of the stage is done, 0 to 1. */
+export type OnStage = (stage: string, fraction: number) => void;
+
 export interface EngineWorker {
   version(): Promise<string>;
   group(paths: string[], overrides: Record<string, Override>): Promise<Grouping>;
@@ -92,4 +116,7 @@ export interface EngineWorker {
   write(source: ModelSource, method: string): Promise<ModelFile[]>;
   /** SHA-256 of each in hexadecimal digits; null on a page that came over an unsafe connection. */
   hash(contents: readonly Blob[]): Promise<(string | null)[]>;
+  fitParameters(method: FitMethod): Promise<ParameterInfo[]>;
+  /** Fits the bare cloud; `onStage` is to be wrapped by Comlink's `proxy`. */
+  fit(source: ModelSource, request: FitRequest, onStage: OnStage): Promise<FittedModel>;
 }

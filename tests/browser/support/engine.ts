@@ -63,3 +63,12 @@ function roleOf(path: string): { role: Role; method?: string } {
   const [, role = "cloud", method] = folder.split("_");
   return { role: role as Role, ...(method ? { method } : {}) };
 }
+
+/** What a fit of a sample with the defaults of a method scores. */
+export function scoreOfFit(part: string, method: "HT" | "PG", protocol: Protocol = "definition"): Report {
+  const model = Model.generate(part, {});
+  const name = model.fit(method === "HT" ? "ht" : "pg", {}, 1, () => {});
+  const report = model.score(name, protocol);
+  model.free();
+  return report;
+}

@@ -5,9 +5,11 @@ import type { Measures } from "../../generated/engine/engine.js";
 export type {
   DiagnosticInfo as Diagnostic,
   Distribution,
+  FitMethod,
   Grouping,
   ModelInfo,
   Override,
+  ParameterInfo,
   PartInfo,
   PatchMesh,
   PredictionReport,

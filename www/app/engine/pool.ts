@@ -6,8 +6,17 @@
 
 import * as Comlink from "comlink";
 
-/** A job's place in the queue: what the reader waits for goes before what runs in the background. */
-export type Urgency = "foreground" | "background";
+/**
+ * A job's place in the queue: what the reader waits for goes before what runs in the background,
+ * and that before long work that is done whenever nothing else is.
+ */
+export type Urgency = (typeof URGENCIES)[number];
+
+const URGENCIES = ["foreground", "background", "idle"] as const;
+
+function rank({ urgency }: { urgency: Urgency }): number {
+  return URGENCIES.indexOf(urgency);
+}
 
 export interface JobOptions {
   readonly signal?: AbortSignal;
@@ -64,12 +73,8 @@ export class WorkerPool<Api> {
   }
 
   #enqueue(job: Job<Api>): void {
-    if (job.urgency === "background") {
-      this.#queue.push(job);
-      return;
-    }
-    const firstBackground = this.#queue.findIndex((other) => other.urgency === "background");
-    this.#queue.splice(firstBackground < 0 ? this.#queue.length : firstBackground, 0, job);
+    const lessUrgent = this.#queue.findIndex((other) => rank(other) > rank(job));
+    this.#queue.splice(lessUrgent < 0 ? this.#queue.length : lessUrgent, 0, job);
   }
 
   #advance(): void {

@@ -8,6 +8,7 @@ import { sharing } from "../sharing/share";
 import { shownPanel } from "../shell/panels";
 import { PANELS } from "../shell/registry";
 import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
+import { cancelFitting } from "../state/fitting";
 import { modelById, models } from "../state/models";
 import { cancelScoring } from "../state/scoring";
 import { selectedMethod, selectedModel, selectedPrimitive, selectModel } from "../state/selection";
@@ -30,6 +31,11 @@ function nextMethod(): void {
   if (next !== undefined) selectModel(selectedModel.value, next);
 }
 
+function stopWork(): void {
+  cancelScoring();
+  cancelFitting();
+}
+
 export const KEYS: readonly ShortcutGroup[] = [
   {
     title: "Everywhere",
@@ -39,7 +45,7 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "s", shown: "S", what: "Share and export", run: () => (sharing.value = true) },
       { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
       { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
-      { key: "x", shown: "X", what: "Stop scoring", run: cancelScoring },
+      { key: "x", shown: "X", what: "Stop scoring and fitting", run: stopWork },
     ],
   },
   {

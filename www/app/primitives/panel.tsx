@@ -21,6 +21,7 @@ import * as format from "../ui/format";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { segmentColour, UNSEGMENTED } from "../view/palette";
+import { FoundPrimitives } from "./found";
 
 interface TruthRow {
   readonly index: number;
@@ -175,7 +176,7 @@ function concerns(ref: PrimitiveRef | undefined, row: TruthRow): boolean {
 
 export default function PrimitivesPanel(): JSX.Element {
   const report = selectedReports.value?.[protocol.value];
-  if (!report) return <p class="empty">Choose a model that is scored.</p>;
+  if (!report) return <FoundPrimitives />;
   return (
     <>
       <Table

@@ -25,6 +25,7 @@ export const PANELS: readonly PanelDefinition[] = [
   { id: "measures", title: "Measures", load: () => import("../scores/panel") },
   { id: "primitives", title: "Primitives", load: () => import("../primitives/panel") },
   { id: "overlooked", title: "Overlooked", load: () => import("../overlooked/panel") },
+  { id: "fit", title: "Fit", load: () => import("../fit/panel") },
   { id: "diagnostics", title: "Diagnostics", badge: diagnosticsBadge, load: () => import("../diagnostics/panel") },
   { id: "comparison", title: "Comparison", load: () => import("../comparison/panel") },
   { id: "files", title: "Files", load: () => import("../files/panel") },

@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { useSignal, useSignalEffect } from "@preact/signals";
+import { FittingWork } from "../fit/status";
 import { taking } from "../intake/intake";
 import { dismiss, notice } from "../state/notices";
 import { cancelScoring, progress, type Progress } from "../state/scoring";
@@ -16,6 +17,7 @@ export function StatusBar(): JSX.Element {
   return (
     <footer class="status">
       <Work />
+      <FittingWork />
       <p class="notice" role="status" data-kind={shown?.kind}>
         {shown?.text}
         {shown && (

@@ -78,6 +78,20 @@ export function addSubmission(name: string, files: readonly ModelFile[]): void {
   assemble(lastGrouping);
 }
 
+/** Whether a submission was made here, not brought. */
+export function isMadeHere(name: string, method: string): boolean {
+  return made.value.get(name)?.files.some((file) => file.method === method) ?? false;
+}
+
+/** Takes a submission made here off its model. */
+export function removeSubmission(name: string, method: string): void {
+  const known = made.value.get(name);
+  if (!known) return;
+  const files = known.files.filter((file) => file.method !== method);
+  made.value = new Map(made.value).set(name, { ...known, files });
+  assemble(lastGrouping);
+}
+
 /** Takes a model off the page, with its files. */
 export function remove(id: string): void {
   const entry = models.value.find((candidate) => candidate.id === id);
