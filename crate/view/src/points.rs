@@ -69,8 +69,8 @@ void main() {
         float share = clamp((scalar - range.x) / (range.y - range.x), 0.0, 1.0);
         float steps = float(textureSize(colour_map, 0).x);
         shown = textureLod(colour_map, vec2((share * (steps - 1.0) + 0.5) / steps, 0.5), 0.0).rgb;
-    } else if (colour_by == 2) {
-        shown = abs(normal) / max(length(normal), 1e-6);
+    } else if (colour_by == 2 && dot(normal, normal) > 0.1) {
+        shown = abs(normal) / length(normal);
     } else {
         // A light at the viewer. What is read off its colour stays as it is.
         shown *= 0.72 + 0.28 * abs(facing.z);

@@ -13,6 +13,7 @@ export const COLOUR_MODES = [
   { id: "outcome", title: "TP, FP, FN of the selected" },
   { id: "distance", title: "Distance to the surface" },
   { id: "type", title: "Type of surface" },
+  { id: "normal", title: "Point normal" },
 ] as const;
 
 export type ColourMode = (typeof COLOUR_MODES)[number]["id"];
@@ -27,6 +28,8 @@ export interface Labelling {
   readonly labels: Uint32Array;
   readonly colours: readonly string[];
   readonly legend?: readonly LegendEntry[];
+  /** Whether the points show which way they face; the labels then only tell what is what. */
+  readonly normals?: true;
   /** Colours the points in place of the labels, which then only tell what is what. */
   readonly scalars?: { readonly values: Float32Array; readonly low: number; readonly high: number };
 }
@@ -50,7 +53,10 @@ export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling
   const segmentation = side === 0 ? scene.truth : scene.prediction;
   const points = scene.positions.length / 3;
   if (mode === "outcome") return outcome(shown, points);
-  if (!segmentation) return { labels: new Uint32Array(points), colours: [UNSEGMENTED] };
+  if (!segmentation) {
+    const nothing = { labels: new Uint32Array(points), colours: [UNSEGMENTED] };
+    return mode === "normal" ? { ...nothing, normals: true } : nothing;
+  }
   if (mode === "figure" && side === 1) return figure(shown, points);
   const labels = labelsOf(segmentation, points);
   if (mode === "type") {
@@ -60,8 +66,16 @@ export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling
   }
   const colours = segmentColours(side, shown, segmentation.primitives.length);
   if (mode === "distance") return { labels, colours, scalars: distances(shown, segmentation, points) };
+  if (mode === "normal") return { labels, colours, normals: true, legend: NORMAL_LEGEND };
   return { labels, colours };
 }
+
+/** Normals of points have no sign: one colour for both directions of an axis. */
+const NORMAL_LEGEND: readonly LegendEntry[] = [
+  { colour: "#ff0000", text: "faces ±x" },
+  { colour: "#00ff00", text: "faces ±y" },
+  { colour: "#0000ff", text: "faces ±z" },
+];
 
 /** A point listed by several primitives gets the first. */
 function labelsOf({ offsets, indices }: SegmentationScene, points: number): Uint32Array {

@@ -77,6 +77,8 @@ function colour(view: PointView, side: Side, what: Labelling): void {
   if (what.scalars) {
     view.setScalars(side, what.scalars.values);
     view.colourByScalar(side, what.scalars.low, what.scalars.high);
+  } else if (what.normals) {
+    view.colourByNormal(side);
   } else {
     view.colourByLabel(side);
   }
