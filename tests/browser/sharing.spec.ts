@@ -1,7 +1,10 @@
+import { existsSync } from "node:fs";
+import { join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
 import { readFragment, writeFragment } from "../../www/app/sharing/codec/link";
 import { expect, open, picture, row, rows, test } from "./support/test";
 import { filesOf, scoreOf, scoreOfSample } from "./support/engine";
+import { drop } from "./support/drop";
 import { claims, dropFiles, linkOf, openLink } from "./support/sharing";
 
 /** A link with its results changed, as a cheat would. */
@@ -44,6 +47,7 @@ test("a figure that was tampered with is shown beside the one found here", async
   const lie = (value: number) => (link: string) =>
     tampered(link, (results) => ({
       ...results,
+      engine: "0.0.1",
       claims: results.claims.map((claim) => ({ ...claim, mean: { ...claim.mean, DSC: value } })),
     }));
   const link = await linkOf(page);
@@ -55,6 +59,7 @@ test("a figure that was tampered with is shown beside the one found here", async
   await expect(claims(page).locator("del")).toHaveText("claimed 0.9000");
   await expect(claims(page).locator("ins")).toHaveText(`found here ${DSC?.toFixed(4)}`);
   await expect(page.locator(".banner")).toContainText("The figures differ.");
+  await expect(page.locator(".banner")).toContainText("The link was made with engine 0.0.1");
   await picture(page, "shared-differs");
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
 
@@ -64,6 +69,25 @@ test("a figure that was tampered with is shown beside the one found here", async
   await dropFiles(page, "again", files);
   await expect(claims(page).locator("del")).toHaveText(`claimed ${next}`);
   await expect(claims(page).locator("ins")).toHaveText(`found here ${DSC}`);
+});
+
+test("the benchmark's own results are shared in under 2,000 characters and verified", async ({ page }) => {
+  const shared = process.env["FIT4CAD_SHARED"] ?? join(import.meta.dirname, "../../../shared");
+  const sample = join(shared, "fit4cad/test_sample");
+  test.skip(!existsSync(sample), "needs the benchmark's files in ../shared/fit4cad or $FIT4CAD_SHARED/fit4cad");
+  await open(page);
+  await drop(page, [sample]);
+  await expect(rows(page)).toHaveCount(20);
+  const link = await linkOf(page);
+  expect(link.length).toBeLessThan(2000);
+  await openLink(page, link);
+  await expect(claims(page)).toHaveCount(10);
+  await drop(page, [sample]);
+  await expect(page.locator(".banner")).toContainText("Verified here.", { timeout: 20_000 });
+  await page.getByRole("tab", { name: "Comparison" }).click();
+  await expect(page.locator(".differences tbody tr")).toHaveCount(10);
+  // The published HT against itself.
+  await expect(page.getByRole("row", { name: /^Won, lost, even/ }).getByRole("cell").first()).toHaveText("0, 0, 10");
 });
 
 test("other files under the same name do not verify a claim", async ({ page }) => {

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { shownPanel } from "../shell/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
-import { closeLink, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
+import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
 
 export function SharedBanner(): JSX.Element | null {
   const state = opened.value;
@@ -47,6 +47,18 @@ function kindOf(): "good" | "error" | "note" {
   return isLinkOpen() && verified > 0 && verified === judged.value.length ? "good" : "note";
 }
 
+/** Another version of the engine may well give other figures, and nobody has cheated. */
+function OtherEngine(): JSX.Element | null {
+  const [here, state] = [engineHere.value, opened.value];
+  if (state.kind !== "shared" || here === undefined || here === state.results.engine) return null;
+  return (
+    <>
+      {" "}
+      The link was made with engine {state.results.engine}, this is {here}.
+    </>
+  );
+}
+
 /** How the claims stand, in a sentence. */
 export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Element {
   const all = judged.value.length;
@@ -57,6 +69,7 @@ export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Elem
       <>
         <strong>{differs === all ? "The figures differ." : `${differs} of ${plural(all, "result")} differ.`}</strong> The
         same files, scored here, gave other figures.
+        <OtherEngine />
       </>
     );
   }

@@ -2,6 +2,7 @@
 
 import { batch, effect } from "@preact/signals";
 import type { Report } from "../engine/contract";
+import { engineVersion } from "../export/results";
 import { makeSample } from "../samples/samples";
 import { shownPanel } from "../shell/panels";
 import { arrangement, ARRANGEMENTS, colourMode, projection } from "../stage/display";
@@ -12,7 +13,7 @@ import { selectedPrimitive, selectModel, type PrimitiveRef } from "../state/sele
 import { protocol } from "../state/settings";
 import type { ScoredModel } from "../../worker/protocol";
 import { readFragment } from "./codec/link";
-import { opened, SHARED_PANEL } from "./opened";
+import { engineHere, opened, SHARED_PANEL } from "./opened";
 import type { SharedModel, SharedResults, SharedView } from "./shared";
 
 /** More samples than this are not made anew: a link must not keep the machine busy. */
@@ -27,6 +28,7 @@ export async function openLink(fragment: string): Promise<boolean> {
     opened.value = { kind: "damaged", message: error instanceof Error ? error.message : String(error) };
     return false;
   }
+  void engineVersion().then((version) => (engineHere.value = version));
   batch(() => {
     opened.value = { kind: "shared", results };
     protocol.value = results.protocol;
@@ -46,16 +48,23 @@ function samplesOf({ models, view }: SharedResults): SharedModel[] {
 }
 
 /** Once the model looked at is there and scored (made again, or dropped), shows it as the sharer saw it. */
-function lookAgain({ models, view }: SharedResults): void {
+function lookAgain(results: SharedResults): void {
+  const { models, view } = results;
   const name = view && models[view.model]?.name;
   if (!view || name === undefined) return;
   let waiting = true;
-  effect(() => {
+  const end = effect(() => {
+    const state = opened.value;
+    // Another link was opened, or this one closed.
+    const over = state.kind !== "shared" || state.results !== results;
     const status = modelById(name)?.status;
-    if (!waiting || opened.value.kind !== "shared" || status?.kind !== "scored") return;
+    if (!waiting || (!over && status?.kind !== "scored")) return;
     waiting = false;
     // Not within the effect: what is set here must not be what the effect depends on.
-    queueMicrotask(() => look(name, view, status.result));
+    queueMicrotask(() => {
+      end();
+      if (!over && status?.kind === "scored") look(name, view, status.result);
+    });
   });
 }
 

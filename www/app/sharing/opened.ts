@@ -14,6 +14,9 @@ export type Opened =
 
 export const opened = signal<Opened>({ kind: "none" });
 
+/** Version of the engine on this page, once a link has asked for it. */
+export const engineHere = signal<string | undefined>(undefined);
+
 /** The panel that shows the claims of the link. */
 export const SHARED_PANEL = "shared";
 
