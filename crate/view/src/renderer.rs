@@ -217,7 +217,7 @@ impl Renderer {
         }
     }
 
-    /// Draws the axes into the lower left corner of the picture.
+    /// Draws the axes into the lower right corner of the picture; the page's legend is on the left.
     fn draw_gizmo(&mut self, gl: &Gl, shot: &Shot<'_>) {
         let Shot {
             scene, frame, tile, ..
@@ -227,7 +227,7 @@ impl Renderer {
             return;
         }
         self.gizmo.stream(gl, &gizmo::lines(scene.camera.rotation));
-        gl.viewport(-tile.x, -tile.y, side, side);
+        gl.viewport(frame.width - side - tile.x, -tile.y, side, side);
         gl.disable(Gl::DEPTH_TEST);
         gl.enable(Gl::BLEND);
         let (projection, viewport) = (gizmo::projection(gizmo::SIZE), Vec2::splat(side as f32));
