@@ -36,6 +36,12 @@ test("a shared link shows its figures as claimed, and as verified once the same 
   await dropFiles(page, "theirs too", filesOf("flange", "renamed"));
   await expect(page.locator(".banner")).toContainText("Verified here.");
   await picture(page, "shared-verified");
+  // On a phone the figures are far down the page.
+  await page.setViewportSize({ width: 360, height: 640 });
+  await page.getByRole("button", { name: "Show the figures" }).click();
+  await expect(page.getByRole("tab", { name: /^Shared/ })).toBeInViewport();
+  await expect(claims(page).first()).toBeInViewport();
+  await picture(page, "shared-narrow");
 });
 
 test("a figure that was tampered with is shown beside the one found here", async ({ page }) => {
@@ -185,7 +191,7 @@ test("an embedded link is to look at only, and opens full", async ({ page, conte
   const opening = context.waitForEvent("page");
   await page.getByRole("link", { name: "Open full" }).click();
   const full = await opening;
-  await expect(full.getByRole("button", { name: "Add data" })).toBeVisible();
+  await expect(full.getByRole("button", { name: "Add data" }).first()).toBeVisible();
   await expect(claims(full)).toHaveCount(1);
 
   await page.goto("about:blank");

@@ -1,7 +1,7 @@
 // Says that the page was opened with a link, and how its claims stand.
 
 import type { JSX } from "preact";
-import { shownPanel } from "../shell/panels";
+import { goToPanel } from "../shell/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
@@ -25,7 +25,7 @@ export function SharedBanner(): JSX.Element | null {
       <p role="status">
         <Standing />
       </p>
-      <button type="button" onClick={() => (shownPanel.value = SHARED_PANEL)}>
+      <button type="button" onClick={() => goToPanel(SHARED_PANEL)}>
         Show the figures
       </button>
       <Close />

@@ -2,16 +2,34 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { Lazy } from "../ui/lazy";
 import { PANELS } from "./registry";
 
 export const shownPanel = signal("measures");
 
+/** Shows a panel and goes there, also where it is below the edge of a small window. */
+export function goToPanel(id: string): void {
+  shownPanel.value = id;
+  const tab = document.getElementById(`tab-${id}`);
+  tab?.focus({ preventScroll: true });
+  tab?.scrollIntoView({ block: "start", inline: "nearest" });
+}
+
 export function Panels(): JSX.Element {
   const tabs = useRef<HTMLDivElement>(null);
   const offered = PANELS.filter((panel) => panel.offered?.() ?? true);
   const shown = offered.find(({ id }) => id === shownPanel.value) ?? offered[0];
+
+  // On a narrow window the tabs scroll sideways: the chosen one is kept in sight.
+  useEffect(() => {
+    const strip = tabs.current;
+    const tab = strip?.querySelector('[aria-selected="true"]');
+    if (!strip || !tab) return;
+    const [around, own] = [strip.getBoundingClientRect(), tab.getBoundingClientRect()];
+    if (own.left < around.left) strip.scrollLeft -= around.left - own.left;
+    else if (own.right > around.right) strip.scrollLeft += own.right - around.right;
+  }, [shown?.id]);
 
   const walk = (event: KeyboardEvent) => {
     const at = offered.findIndex(({ id }) => id === shown?.id);
