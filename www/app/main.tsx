@@ -1,5 +1,6 @@
 import { render } from "preact";
 import { listen } from "./keyboard/shortcuts";
+import { keepForOffline } from "./offline/register";
 import { KEYS } from "./keyboard/keys";
 import { openFirstSample } from "./samples/samples";
 import { heedAddress, openAddress } from "./sharing/share";
@@ -22,3 +23,5 @@ if (root) {
     void openAddress().then((found) => (found ? undefined : openFirstSample()));
   }
 }
+
+addEventListener("load", keepForOffline);
