@@ -246,9 +246,16 @@ fn robust_tori(section: &[Point], origin: &Point, axis: &Direction) -> Vec<Surfa
 /// ends sharply.
 pub(super) fn is_worth_keeping(search: &mut Search<'_>, pass: Pass, candidate: &Candidate) -> bool {
     let smallest = Parameters::count(search.parameters.smallest);
-    let redundant = least_squares::degrees_of_freedom(candidate.surface.kind()) + 3;
+    let freedom = least_squares::degrees_of_freedom(candidate.surface.kind());
+    // A few exact points more than a surface has freedoms are no accident; noisy ones are, in
+    // numbers that grow with the share of space the tolerance takes up.
+    let redundant = if search.scale.is_clean() {
+        freedom + 3
+    } else {
+        NOISY * freedom
+    };
     let own = search.own(candidate);
-    if candidate.support.len() < smallest.max(redundant) || own < smallest.max(3) {
+    if candidate.support.len() < smallest.max(redundant) || own < smallest.max(redundant / 3) {
         return false;
     }
     let thickness = search.thickness(candidate);
@@ -258,6 +265,9 @@ pub(super) fn is_worth_keeping(search: &mut Search<'_>, pass: Pass, candidate: &
     };
     is_wide && !search.has_fuzzy_border(candidate)
 }
+
+/// Noisy points needed per degree of freedom.
+const NOISY: usize = 8;
 
 /// Mean number of own neighbours among the eight nearest: of a patch with an inside.
 const FACE: f64 = 5.2;

@@ -39,7 +39,10 @@ impl Scale {
         let exact = LEVELS
             .into_iter()
             .map(|level| level * diagonal)
-            .find(|&level| share_of_exact_patches(cloud.points(), graph, level) >= EXACT_SHARE);
+            .find(|&level| {
+                let is_finest = level <= LEVELS[0] * diagonal;
+                share_of_exact_patches(cloud.points(), graph, level, is_finest) >= EXACT_SHARE
+            });
         let (noise, estimated) = match exact {
             Some(level) => (level / SIGMAS, level),
             None => {
@@ -80,7 +83,12 @@ fn spacing(points: &[Point], graph: &Neighbourhoods) -> f64 {
 }
 
 /// Share of sampled neighbourhoods at least half of which lie on one surface to the tolerance.
-fn share_of_exact_patches(points: &[Point], graph: &Neighbourhoods, tolerance: f64) -> f64 {
+fn share_of_exact_patches(
+    points: &[Point],
+    graph: &Neighbourhoods,
+    tolerance: f64,
+    is_finest: bool,
+) -> f64 {
     let kinds = [
         SurfaceType::Plane,
         SurfaceType::Cylinder,
@@ -100,9 +108,12 @@ fn share_of_exact_patches(points: &[Point], graph: &Neighbourhoods, tolerance: f
         };
         // The few nearest points are on one sheet where the sheets of a thin wall are close.
         let few = &patch[..patch.len().min(10)];
-        let found = is_exact(&patch, patch.len().div_ceil(2)) || is_exact(few, few.len());
-        let found =
-            found || local::plane_through_seed(&patch, tolerance).is_some_and(|(_, on)| on >= 6);
+        // At the finest level noise leaves no accidents. At the others, robust fits through half a
+        // patch and planes through three points find some, so all points of a patch must agree.
+        let found = is_exact(few, few.len())
+            || is_finest
+                && (is_exact(&patch, patch.len().div_ceil(2))
+                    || local::plane_through_seed(&patch, tolerance).is_some_and(|(_, on)| on >= 6));
         exact += u32::from(found);
     }
     f64::from(exact) / f64::from(all.max(1))

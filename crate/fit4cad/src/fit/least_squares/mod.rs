@@ -195,3 +195,6 @@ impl Frame {
             .moved(&Isometry3::from(self.origin.coords))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -22,6 +22,12 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
     let labels = label(search, &kept);
     observer.progress(Stage::Patches, 0.0)?;
     let smallest = Parameters::count(search.parameters.smallest);
+    // Splinters of a noisy face are no primitives.
+    let smallest = if search.scale.is_clean() {
+        smallest
+    } else {
+        smallest.max(SPLINTER)
+    };
     let mut primitives: Vec<Primitive> = Vec::new();
     for (candidate, points) in patches(search, &kept, &labels) {
         if points.len() >= smallest {
@@ -43,6 +49,9 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
     observer.progress(Stage::Patches, 1.0)?;
     Ok(Segmentation { primitives })
 }
+
+/// Points that a patch of a noisy cloud needs.
+const SPLINTER: usize = 20;
 
 /// Membership of a candidate's points, as a lookup over the cloud.
 fn membership(count: usize, candidate: &Candidate) -> Vec<bool> {
