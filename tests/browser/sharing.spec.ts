@@ -150,6 +150,17 @@ test("a damaged link says so, and the page works on", async ({ page }) => {
   expect(new URL(page.url()).hash).toBe("");
 });
 
+test("a link that names no files says that it cannot be checked", async ({ page }) => {
+  await open(page);
+  const nameless = tampered(await linkOf(page), (results) => ({
+    ...results,
+    claims: results.claims.map(({ submission: _, ...claim }) => claim),
+  }));
+  await openLink(page, nameless);
+  await expect(claims(page)).toContainText("as claimed, cannot be checked");
+  await expect(page.locator(".banner")).toContainText("they cannot be checked");
+});
+
 test("names in a link are text, and its numbers cannot make the page work without end", async ({ page }) => {
   await open(page);
   const link = await linkOf(page);

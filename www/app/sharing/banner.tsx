@@ -62,8 +62,16 @@ function OtherEngine(): JSX.Element | null {
 /** How the claims stand, in a sentence. */
 export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Element {
   const all = judged.value.length;
-  const { verified, differs, "other files": others } = tally.value;
+  const { verified, differs, uncheckable, "other files": others } = tally.value;
   if (all === 0) return <>This link holds no results.</>;
+  if (uncheckable === all) {
+    return (
+      <>
+        <strong>As claimed.</strong> {plural(all, "shared result")}. The link does not say which files they are about, so
+        they cannot be checked.
+      </>
+    );
+  }
   if (differs > 0) {
     return (
       <>

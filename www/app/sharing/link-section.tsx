@@ -20,7 +20,7 @@ type Made =
   | { readonly kind: "failed"; readonly message: string };
 
 export function LinkSection(): JSX.Element {
-  const chosen = useSignal<ReadonlySet<string>>(new Set(selectedMethod.peek() === undefined ? [] : [selectedMethod.peek() ?? ""]));
+  const chosen = useSignal<ReadonlySet<string>>(new Set(methods.peek().filter((method) => method === selectedMethod.peek())));
   const made = useSignal<Made>({ kind: "making" });
   const rows = useComputed(() => scoredRows.value.filter(({ reports }) => chosen.value.has(reports.method)));
   const id = useId();
