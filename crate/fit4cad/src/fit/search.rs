@@ -367,11 +367,21 @@ impl<'a> Search<'a> {
             .into_iter()
             .filter(|(worth, c)| *worth >= NEARLY * most && is_good(c))
             .min_by(|(worth, a), (other, b)| {
-                complexity(a.surface.kind())
-                    .cmp(&complexity(b.surface.kind()))
+                self.rank(a.surface.kind())
+                    .cmp(&self.rank(b.surface.kind()))
                     .then(other.total_cmp(worth))
             })
             .map(|(_, candidate)| candidate)
+    }
+
+    /// Order of simplicity: fewer degrees of freedom first. Within noise the order is that of how
+    /// common the families are: any short band of a cylinder passes for one of a sphere.
+    fn rank(&self, kind: SurfaceType) -> usize {
+        if self.scale.is_clean() {
+            degrees_of_freedom(kind)
+        } else {
+            kind as usize
+        }
     }
 
     /// The fuzzy-border test: whether the points just outside a patch nearly lie on its surface,
@@ -431,8 +441,3 @@ const GROWTH_ROUNDS: usize = 24;
 const NOISE_SPREAD: f64 = 3.0;
 /// Share of the most worth that counts as nearly as much.
 const NEARLY: f64 = 0.97;
-
-/// Order of simplicity: fewer degrees of freedom first.
-fn complexity(kind: SurfaceType) -> usize {
-    degrees_of_freedom(kind)
-}

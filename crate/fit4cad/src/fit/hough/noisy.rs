@@ -21,8 +21,7 @@ const SIZES: [usize; 2] = [20, 160];
 pub fn find(search: &mut Search<'_>, work: &mut Work<'_>) -> Result<(), Cancelled> {
     let size = neighbourhood(search);
     let passes = [
-        (size, 160, &SurfaceType::ALL[..4], [0.0, 0.6]),
-        (size, 60, &SurfaceType::ALL[4..], [0.6, 0.7]),
+        (size, 160, &SurfaceType::ALL[..], [0.0, 0.7]),
         (size / 2, 100, &SurfaceType::ALL[..4], [0.7, 0.9]),
     ];
     for (size, batch, kinds, progress) in passes {

@@ -42,7 +42,10 @@ impl Evidence<'_> {
                 (free, candidate.support.clone())
             }
         };
-        candidate.support.len() >= smallest.max(redundant)
+        // Within noise a band along the edge of a face lies on many surfaces.
+        let is_new = search.scale.is_clean() || 2 * evident >= candidate.support.len();
+        is_new
+            && candidate.support.len() >= smallest.max(redundant)
             && evident
                 >= smallest.max(if search.scale.is_clean() {
                     3
