@@ -11,6 +11,7 @@ import { layout, wipeAt } from "./display";
 import { currentView } from "./isolation";
 import { Legend } from "./legend";
 import { link } from "./link";
+import { SelectionTools } from "./selection-tools";
 import { Tools } from "./tools";
 import { primitiveAt, Tooltip, type Pointed } from "./tooltip";
 
@@ -37,6 +38,7 @@ export function Picture(): JSX.Element {
           <span class="side-name prediction">{selectedMethod.value ?? "No prediction"}</span>
         )}
         <Legend />
+        <SelectionTools />
         {pointed.value && <Tooltip {...pointed.value} />}
         <State />
       </div>

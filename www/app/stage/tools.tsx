@@ -17,7 +17,6 @@ import {
   unsegmentedShown,
   type Arrangement,
 } from "./display";
-import { SelectionTools } from "./selection-tools";
 
 export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
   return (
@@ -86,7 +85,6 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
           <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
         </div>
       </Popover>
-      <SelectionTools />
     </div>
   );
 }
