@@ -25,7 +25,7 @@ test("loose files dropped together find each other by their names", async ({ pag
   await open(page);
   const paths = files.map(({ path }) => join(folder, path));
   await drop(page, paths.filter((path) => !path.includes(METHOD)));
-  await expect(page.locator(".models li")).toContainText("no score");
+  await expect(page.locator(".models li")).toContainText("truth only");
   await drop(page, [join(folder, `pointCloud_primitives_${METHOD}`)]);
   await expect(row(page, "PC3")).toContainText(METHOD);
 });

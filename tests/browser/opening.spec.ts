@@ -65,3 +65,25 @@ for (const [width, height] of [[360, 740], [1280, 720], [2560, 1440]] as const) 
     await picture(page, `window-${width}`);
   });
 }
+
+test("without WebGL 2 the tables still work, and the page says why there is no picture", async ({ page }) => {
+  await page.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+      return kind === "webgl2" ? null : Reflect.apply(original, this, [kind, ...rest]);
+    } as typeof original;
+  });
+  await page.goto("./");
+  await expect(rows(page)).toHaveCount(1);
+  await expect(page.getByRole("alert")).toContainText("does not offer WebGL 2");
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  await page.locator("table.primitives tbody tr").first().getByRole("button").click();
+  await expect(page.locator("table.primitives tbody tr[aria-current]")).toHaveCount(1);
+});
+
+test("a page that does not exist says so and leads back", async ({ page }) => {
+  await page.goto("./?page=nowhere");
+  await expect(page.getByText("There is no page “nowhere” here.")).toBeVisible();
+  await page.getByRole("link", { name: "Back to the scores" }).click();
+  await expect(rows(page)).toHaveCount(1);
+});

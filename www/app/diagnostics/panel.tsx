@@ -7,6 +7,7 @@ import { notify } from "../state/notices";
 import { selectedModel, selectModel } from "../state/selection";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
+import { Marked } from "../ui/marked";
 import { asText, findings, placeOf, type Finding } from "./findings";
 
 const onlySelected = signal(false);
@@ -67,23 +68,19 @@ function Item({ finding }: { finding: Finding }): JSX.Element {
         {severity}
       </span>
       <div>
-        <p class="message">{message}</p>
+        <p class="message">
+          <Marked text={message} />
+        </p>
         {(found || expected) && (
           <p class="details">
-            {found && (
-              <>
-                found <code>{found}</code>
-              </>
-            )}
-            {found && expected && ", "}
-            {expected && (
-              <>
-                expected <code>{expected}</code>
-              </>
-            )}
+            <Marked text={[found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean).join(", ")} />
           </p>
         )}
-        {hint && <p class="hint">{hint}</p>}
+        {hint && (
+          <p class="hint">
+            <Marked text={hint} />
+          </p>
+        )}
         <p class="place">
           {model !== undefined && (
             <button type="button" class="link" onClick={() => selectModel(model)}>

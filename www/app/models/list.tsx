@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { computed, signal } from "@preact/signals";
 import { adding } from "../intake/add-dialog";
 import { taking } from "../intake/intake";
-import type { Measure } from "../engine/contract";
+import type { Measure, ModelInfo } from "../engine/contract";
 import { MEASURES } from "../measures/measures";
 import { models, type ModelEntry } from "../state/models";
 import { resumeScoring } from "../state/scoring";
@@ -128,7 +128,7 @@ function Item({ entry, by }: { entry: ModelEntry; by: Order }): JSX.Element {
           </span>
         )}
         <span class="figure">
-          {status.kind === "scored" && (report ? format.measure(measure, report.mean[measure]) : "no score")}
+          {status.kind === "scored" && (report ? format.measure(measure, report.mean[measure]) : whyUnscored(status.result.info))}
           {status.kind === "waiting" && <span class="waiting">scoring</span>}
           {status.kind === "stopped" && "stopped"}
           {status.kind === "failed" && <span class="mark error">failed</span>}
@@ -141,6 +141,11 @@ function Item({ entry, by }: { entry: ModelEntry; by: Order }): JSX.Element {
       </button>
     </li>
   );
+}
+
+function whyUnscored({ hasTruth, methods }: ModelInfo): string {
+  if (hasTruth) return "truth only";
+  return methods.length > 0 ? "no truth" : "points only";
 }
 
 function Empty(): JSX.Element {

@@ -12,14 +12,23 @@ import { ShareDialog } from "../sharing/dialog";
 import { Lazy } from "../ui/lazy";
 import { Header } from "./header";
 import { PAGES } from "./registry";
-import { page } from "./router";
+import { PageLink } from "./page-link";
+import { HOME, page } from "./router";
 import { StatusBar } from "./statusbar";
 
 export function App(): JSX.Element {
   const current = PAGES.find(({ id }) => id === page.value);
   return (
     <>
-      <a class="skip" href="#content">
+      <a
+        class="skip"
+        href="#content"
+        onClick={(event) => {
+          // The fragment is taken: links keep results there.
+          event.preventDefault();
+          document.getElementById("content")?.focus();
+        }}
+      >
         Skip to content
       </a>
       <Header />
@@ -28,7 +37,9 @@ export function App(): JSX.Element {
         {current ? (
           <Lazy key={current.id} load={current.load} title={current.title} />
         ) : (
-          <p class="empty">There is no page “{page.value}” here.</p>
+          <p class="empty">
+            There is no page “{page.value}” here. <PageLink id={HOME}>Back to the scores</PageLink>
+          </p>
         )}
       </main>
       <StatusBar />

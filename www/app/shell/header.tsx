@@ -7,8 +7,8 @@ import { ProtocolSwitch } from "../measures/protocol-switch";
 import { sharing } from "../sharing/share";
 import { theme, type Theme } from "../state/settings";
 import { Icon, type IconName } from "../ui/icon";
+import { PageLink } from "./page-link";
 import { PAGES } from "./registry";
-import { addressOf, goTo, page } from "./router";
 
 export function Header(): JSX.Element {
   return (
@@ -19,18 +19,9 @@ export function Header(): JSX.Element {
       {PAGES.length > 1 && (
         <nav aria-label="Pages">
           {PAGES.map(({ id, title }) => (
-            <a
-              key={id}
-              href={addressOf(id)}
-              aria-current={id === page.value ? "page" : undefined}
-              onClick={(event) => {
-                if (event.ctrlKey || event.metaKey || event.shiftKey) return;
-                event.preventDefault();
-                goTo(id);
-              }}
-            >
+            <PageLink key={id} id={id}>
               {title}
-            </a>
+            </PageLink>
           ))}
         </nav>
       )}

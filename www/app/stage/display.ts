@@ -1,6 +1,7 @@
 // How the points are shown; chosen once, kept for every model.
 
 import { computed, signal } from "@preact/signals";
+import { scene } from "../state/scene";
 import { remembered } from "../state/settings";
 import type { Layout } from "../view/types";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
@@ -18,8 +19,17 @@ export const colourMode = signal<ColourMode>(COLOUR_MODES[0].id);
 export const arrangement = remembered<Arrangement>("arrangement", "split", ARRANGEMENTS.map(({ id }) => id));
 /** Place of the wipe's border, 0 left to 1 right. */
 export const wipeAt = signal(0.5);
+
+/** A side that has nothing to show leaves its room to the other. */
+const possible = computed<Arrangement>(() => {
+  const state = scene.value;
+  if (state.kind !== "ready") return arrangement.value;
+  if (!state.scene.prediction) return "truth";
+  return state.scene.truth ? arrangement.value : "prediction";
+});
+
 export const layout = computed<Layout>(() => {
-  switch (arrangement.value) {
+  switch (possible.value) {
     case "split":
       return { kind: "split" };
     case "wipe":

@@ -33,9 +33,9 @@ export function Picture(): JSX.Element {
           onReady={attach}
           onUnavailable={(why) => (unavailable.value = why)}
         />
-        {!(current.kind === "single" && current.side === 1) && <span class="side-name truth">Truth</span>}
+        {!(current.kind === "single" && current.side === 1) && <span class="side-name truth">{firstName()}</span>}
         {!(current.kind === "single" && current.side === 0) && (
-          <span class="side-name prediction">{selectedMethod.value ?? "No prediction"}</span>
+          <span class="side-name prediction">{selectedMethod.value}</span>
         )}
         <Legend />
         <SelectionTools />
@@ -44,6 +44,11 @@ export function Picture(): JSX.Element {
       </div>
     </div>
   );
+}
+
+function firstName(): string {
+  const state = scene.value;
+  return state.kind === "ready" && !state.scene.truth ? "Points" : "Truth";
 }
 
 function attach(created: PointView): () => void {
