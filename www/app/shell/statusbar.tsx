@@ -1,7 +1,7 @@
 // Progress and short messages, at the foot of the page and announced.
 
 import type { JSX } from "preact";
-import { useSignal, useSignalEffect } from "@preact/signals";
+import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { FittingWork } from "../fit/status";
 import { taking } from "../intake/intake";
 import { dismiss, notice } from "../state/notices";
@@ -32,8 +32,9 @@ export function StatusBar(): JSX.Element {
 
 function Work(): JSX.Element | null {
   const late = useSignal(false);
+  const busy = useComputed(() => progress.value !== undefined || taking.value);
   useSignalEffect(() => {
-    if (!progress.value && !taking.value) {
+    if (!busy.value) {
       late.value = false;
       return;
     }
@@ -55,16 +56,21 @@ function Work(): JSX.Element | null {
 
 function Batch({ done, total, since }: Progress): JSX.Element {
   const left = done > 0 ? ((performance.now() - since) / done) * (total - done) : undefined;
+  // Every figure read out would drown everything else.
+  const quarters = Math.floor((4 * done) / total);
   return (
     <div class="work">
+      <button type="button" onClick={cancelScoring}>
+        Stop
+      </button>
+      <progress id="scoring" max={total} value={done} />
       <label for="scoring">
         Scoring {integer(done)} of {integer(total)}
         {left !== undefined && `, ${duration(left)} left`}
       </label>
-      <progress id="scoring" max={total} value={done} />
-      <button type="button" onClick={cancelScoring}>
-        Stop
-      </button>
+      <span class="visually-hidden" role="status">
+        Scoring, {25 * quarters} % done
+      </span>
     </div>
   );
 }
