@@ -160,3 +160,16 @@ test("the selected primitive can be looked at alone, framed and hidden", async (
   await page.getByRole("button", { name: "Fit" }).click();
   await expect.poll(async () => (await contentOf(page, canvas, LEFT)).hues).toBe(all.hues);
 });
+
+test("a ground truth without a submission lists its primitives", async ({ page }) => {
+  const folder = test.info().outputPath("truth");
+  await writeAll(folder, filesOf("bracket", "PC1").filter(({ path }) => !path.includes("Imperfect")));
+  await open(page);
+  await drop(page, [folder]);
+  await expect(page.locator(".models li")).toContainText("truth only");
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  const listed = page.locator("table.primitives");
+  await expect(listed.locator("caption")).toContainText("in the ground truth");
+  await expect(listed.locator("tbody tr").first()).toContainText(/Plane|Cylinder/);
+  await expect(page.locator(".side-name")).toHaveCount(1);
+});

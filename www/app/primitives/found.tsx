@@ -1,4 +1,5 @@
-// What a method found where there is no ground truth to compare with.
+// The primitives of one segmentation where there is no other to compare it with: what a method found
+// without ground truth, or the ground truth without a submission.
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
@@ -6,7 +7,8 @@ import type { PrimitiveInfo, SurfaceInfo } from "../engine/contract";
 import { ExplainButton } from "../measures/explain";
 import { predictionColours } from "../stage/colouring";
 import { scene } from "../state/scene";
-import { hoveredPrimitive, selectedModel, selectedPrimitive, togglePrimitive } from "../state/selection";
+import { hoveredPrimitive, selectedModel, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
+import type { ModelScene } from "../../worker/protocol";
 import * as format from "../ui/format";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
@@ -82,25 +84,35 @@ function dimensions(surface: SurfaceInfo): string {
   }
 }
 
+/** Whose primitives they are. */
+function alone({ truth, prediction, method }: ModelScene) {
+  if (prediction) {
+    const whose = `by ${method ?? "a method"}; there is no ground truth to score against`;
+    return { side: "prediction", found: prediction.primitives, whose } as const;
+  }
+  return truth && ({ side: "truth", found: truth.primitives, whose: "in the ground truth; there is no submission to score" } as const);
+}
+
 export function FoundPrimitives(): JSX.Element {
   const state = scene.value;
-  const found = state.kind === "ready" ? state.scene.prediction?.primitives : undefined;
-  if (state.kind !== "ready" || !found) return <p class="empty">Choose a model that has a submission, or fit one under Fit.</p>;
+  const shown = state.kind === "ready" ? alone(state.scene) : undefined;
+  if (!shown) return <p class="empty">Choose a model that has a ground truth or a submission, or fit one under Fit.</p>;
+  const { side, found, whose } = shown;
   const colours = predictionColours(undefined, found.length);
   const rows = found.map((primitive, index): Row => ({ index, primitive, colour: colours[index] ?? UNSEGMENTED }));
-  const isRow = (ref: typeof selectedPrimitive.value, { index }: Row) => ref?.side === "prediction" && ref.index === index;
+  const isRow = (ref: PrimitiveRef | undefined, { index }: Row) => ref?.side === side && ref.index === index;
   return (
     <Table
       className="primitives"
-      caption={`${format.plural(rows.length, "primitive")} of ${selectedModel.value} by ${state.scene.method}; there is no ground truth to score against`}
+      caption={`${format.plural(rows.length, "primitive")} of ${selectedModel.value} ${whose}`}
       columns={COLUMNS}
       rows={rows}
       keyOf={({ index }) => String(index)}
       sorting={sorting}
       isSelected={(row) => isRow(selectedPrimitive.value, row)}
       isHovered={(row) => isRow(hoveredPrimitive.value, row)}
-      onSelect={({ index }) => togglePrimitive({ side: "prediction", index })}
-      onHover={(row) => (hoveredPrimitive.value = row && { side: "prediction", index: row.index })}
+      onSelect={({ index }) => togglePrimitive({ side, index })}
+      onHover={(row) => (hoveredPrimitive.value = row && { side, index: row.index })}
     />
   );
 }
