@@ -42,7 +42,7 @@ pub struct PatchMesh {
 }
 
 impl PatchMesh {
-    fn new(patch: &Patch, centre: &Point) -> Self {
+    pub(crate) fn new(patch: &Patch, centre: &Point) -> Self {
         let relative = |point: &Point| flat(&(point - centre));
         let positions: Vec<f32> = patch.vertices.iter().flat_map(relative).collect();
         let normals: Vec<f32> = patch.normals.iter().flat_map(|n| flat(n)).collect();

@@ -121,11 +121,7 @@ impl Model {
     /// If there is no such part, or an option is out of its range.
     pub fn generate(part: &str, options: Ts<SampleOptions>) -> Result<Model, JsError> {
         let options = sample::Options::from(options.to_rust()?);
-        Ok(Self {
-            model: sample::generate(part, &options)?,
-            diagnostics: Vec::new(),
-            method_of_file: BTreeMap::new(),
-        })
+        Ok(Self::of(sample::generate(part, &options)?))
     }
 
     /// The model as a worse scan would show it, with its truth and without its submissions.
@@ -259,6 +255,15 @@ impl Model {
 }
 
 impl Model {
+    /// A model that comes from no file.
+    pub(crate) fn of(model: model::Model) -> Self {
+        Self {
+            model,
+            diagnostics: Vec::new(),
+            method_of_file: BTreeMap::new(),
+        }
+    }
+
     pub(crate) fn methods(&self) -> impl Iterator<Item = &str> {
         let submissions = self.model.submissions.iter();
         submissions.map(|submission| submission.method.as_str())

@@ -3,11 +3,11 @@
 use fit4cad::cloud::{Cloud, Direction, Point};
 use fit4cad::metrics::accuracy::fit_accuracy;
 use fit4cad::{model, surface};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
 /// The family a surface belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Tsify)]
 pub enum SurfaceType {
     /// A plane.
     Plane,
@@ -29,6 +29,18 @@ impl From<surface::SurfaceType> for SurfaceType {
             surface::SurfaceType::Cone => Self::Cone,
             surface::SurfaceType::Sphere => Self::Sphere,
             surface::SurfaceType::Torus => Self::Torus,
+        }
+    }
+}
+
+impl From<SurfaceType> for surface::SurfaceType {
+    fn from(kind: SurfaceType) -> Self {
+        match kind {
+            SurfaceType::Plane => Self::Plane,
+            SurfaceType::Cylinder => Self::Cylinder,
+            SurfaceType::Cone => Self::Cone,
+            SurfaceType::Sphere => Self::Sphere,
+            SurfaceType::Torus => Self::Torus,
         }
     }
 }

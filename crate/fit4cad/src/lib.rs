@@ -14,6 +14,7 @@ pub mod cloud;
 pub mod diagnostics;
 pub mod fit;
 pub mod format;
+pub mod lesson;
 pub mod metrics;
 pub mod model;
 pub mod sample;
