@@ -26,10 +26,12 @@ pub use diagnostic::{DiagnosticInfo, Severity};
 pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
-pub use lists::PointLists;
 pub use lesson::forms::{FormComparison, Forms, SurfaceSliders};
-pub use lesson::hough::{AxisInfo, CellInfo, HoughLesson, MaximumInfo, PolishInfo, RivalInfo, SliceInfo};
+pub use lesson::hough::{
+    AxisInfo, CellInfo, HoughLesson, MaximumInfo, PolishInfo, RivalInfo, SliceInfo,
+};
 pub use lesson::painting::{CountsInfo, PaintedScore};
+pub use lists::PointLists;
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
 pub use part::{DegradationOptions, PartInfo, SampleOptions, parts};

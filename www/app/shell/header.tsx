@@ -9,6 +9,7 @@ import { theme, type Theme } from "../state/settings";
 import { Icon, type IconName } from "../ui/icon";
 import { PageLink } from "./page-link";
 import { PAGES } from "./registry";
+import { page } from "./router";
 
 export function Header(): JSX.Element {
   return (
@@ -18,8 +19,8 @@ export function Header(): JSX.Element {
       </h1>
       {PAGES.length > 1 && (
         <nav aria-label="Pages">
-          {PAGES.map(({ id, title }) => (
-            <PageLink key={id} id={id}>
+          {PAGES.filter(({ under }) => under === undefined).map(({ id, title }) => (
+            <PageLink key={id} id={id} leads={PAGES.some((each) => each.id === page.value && each.under === id)}>
               {title}
             </PageLink>
           ))}

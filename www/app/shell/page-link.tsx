@@ -3,11 +3,18 @@
 import type { ComponentChildren, JSX } from "preact";
 import { addressOf, goTo, page } from "./router";
 
-export function PageLink({ id, children }: { id: string; children: ComponentChildren }): JSX.Element {
+interface Props {
+  readonly id: string;
+  /** Whether a page under this one is shown. */
+  readonly leads?: boolean;
+  readonly children: ComponentChildren;
+}
+
+export function PageLink({ id, leads = false, children }: Props): JSX.Element {
   return (
     <a
       href={addressOf(id)}
-      aria-current={id === page.value ? "page" : undefined}
+      aria-current={id === page.value ? "page" : leads ? "true" : undefined}
       onClick={(event) => {
         if (event.ctrlKey || event.metaKey || event.shiftKey) return;
         event.preventDefault();

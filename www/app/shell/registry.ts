@@ -19,6 +19,11 @@ export interface PanelDefinition {
 
 export const PAGES: readonly PageDefinition[] = [
   { id: HOME, title: "Score", load: () => import("./workspace") },
+  { id: "lessons", title: "Lessons", load: () => import("../lessons/index") },
+  { id: "lesson-score", title: "What a score means", under: "lessons", load: () => import("../lessons/score/page") },
+  { id: "lesson-hough", title: "The Hough transform", under: "lessons", load: () => import("../lessons/hough/page") },
+  { id: "lesson-growing", title: "Primitive growing", under: "lessons", load: () => import("../lessons/growing/page") },
+  { id: "lesson-forms", title: "Implicit and parametric", under: "lessons", load: () => import("../lessons/forms/page") },
 ];
 
 export const PANELS: readonly PanelDefinition[] = [

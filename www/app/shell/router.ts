@@ -7,6 +7,8 @@ export interface PageDefinition {
   readonly id: string;
   readonly title: string;
   readonly load: Load;
+  /** The page whose link stands for this one in the header. */
+  readonly under?: string;
 }
 
 export const HOME = "score";
@@ -21,9 +23,10 @@ addEventListener("popstate", () => {
   page.value = fromAddress();
 });
 
-/** The address of a page, with everything else of the present address kept. */
+/** The address of a page, with everything else of the present address kept but the step of a lesson. */
 export function addressOf(id: string): string {
   const query = new URLSearchParams(location.search);
+  query.delete("step");
   if (id === HOME) query.delete("page");
   else query.set("page", id);
   const search = query.size > 0 ? `?${query}` : "";

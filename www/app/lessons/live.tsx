@@ -1,0 +1,55 @@
+// A live view for lessons: points by label, in the page's theme.
+
+import type { JSX } from "preact";
+import { useEffect, useState } from "preact/hooks";
+import { isDark } from "../state/settings";
+import { effect } from "@preact/signals";
+import type { PointView } from "../view/point-view";
+import type { Layout } from "../view/types";
+import { ViewCanvas } from "../view/view-canvas";
+
+interface Props {
+  /** What the view shows, for those who cannot see it. */
+  readonly label: string;
+  readonly layout: Layout;
+  readonly onView: (view: PointView) => void;
+  readonly children?: JSX.Element | readonly (JSX.Element | false | undefined)[] | false | undefined;
+}
+
+const LIGHT = { background: "#ffffff", ink: "#000000" };
+const DARK = { background: "#14181c", ink: "#ffffff" };
+
+export function LiveView({ label, layout, onView, children }: Props): JSX.Element {
+  const [failure, setFailure] = useState<string>();
+  return (
+    <div class="live-view">
+      {failure === undefined ? (
+        <ViewCanvas
+          label={`${label}. Arrow keys turn it, plus and minus enlarge it.`}
+          layout={layout}
+          onLayout={() => undefined}
+          onReady={(view) => {
+            onView(view);
+            view.setPointSize({ unit: "spacing", value: 0.9 });
+            return effect(() => view.setTheme(isDark() ? DARK : LIGHT));
+          }}
+          onUnavailable={({ message }) => setFailure(message)}
+        />
+      ) : (
+        <p class="empty">{message(failure)}</p>
+      )}
+      {children}
+    </div>
+  );
+}
+
+function message(failure: string): string {
+  return `${failure} The figures beside it work all the same.`;
+}
+
+/** Calls `draw` whenever the view or one of the values changes. */
+export function useDrawing(view: PointView | undefined, draw: (view: PointView) => void, values: readonly unknown[]): void {
+  useEffect(() => {
+    if (view) draw(view);
+  }, [view, ...values]);
+}

@@ -1,0 +1,52 @@
+// A lesson's own engine: a worker that lives as long as the lesson is shown.
+
+import * as Comlink from "comlink";
+import { useEffect, useState } from "preact/hooks";
+import type { LessonsWorker } from "../../worker/lessons";
+import { notify } from "../state/notices";
+
+export type LessonEngine = Comlink.Remote<LessonsWorker>;
+
+/** The engine, and `run`, which tells of failures. */
+export interface Session {
+  readonly engine: LessonEngine;
+  readonly run: (work: () => Promise<void>) => void;
+}
+
+export function useSession(): Session | undefined {
+  const [session, setSession] = useState<Session>();
+  useEffect(() => {
+    const worker = new Worker(new URL("../../worker/lessons.ts", import.meta.url), { type: "module", name: "lesson" });
+    let ended = false;
+    const engine = Comlink.wrap<LessonsWorker>(worker);
+    const run = (work: () => Promise<void>) => {
+      work().catch((error: unknown) => {
+        if (!ended) notify(error instanceof Error ? error.message : String(error), "error");
+      });
+    };
+    setSession({ engine, run });
+    return () => {
+      ended = true;
+      worker.terminate();
+    };
+  }, []);
+  return session;
+}
+
+/** Runs the latest of many requests, one at a time: what a brush or slider asks for while the engine is busy is asked once. */
+export function latest<T>(work: (request: T) => Promise<void>): (request: T) => Promise<void> {
+  let waiting: { readonly request: T } | undefined;
+  let busy: Promise<void> | undefined;
+  const drain = async () => {
+    while (waiting) {
+      const { request } = waiting;
+      waiting = undefined;
+      await work(request);
+    }
+  };
+  return (request) => {
+    waiting = { request };
+    busy ??= drain().finally(() => (busy = undefined));
+    return busy;
+  };
+}

@@ -1,0 +1,126 @@
+// The engine as the lessons use it: step by step, on one small model at a time.
+
+import * as Comlink from "comlink";
+import init, {
+  compareForms,
+  HoughLesson,
+  Model,
+  surfaceForms,
+  type PaintedScore,
+  type PrimitiveInfo,
+  type Report,
+  type SliceInfo,
+  type SurfaceSliders,
+  type SurfaceType,
+} from "../generated/engine/engine.js";
+
+/** Points and what they belong to. */
+export interface LessonModel {
+  /** x y z per point, relative to the cloud's centre. */
+  readonly positions: Float32Array;
+  readonly lists: PrimitiveLists;
+}
+
+export interface PrimitiveLists {
+  readonly primitives: readonly PrimitiveInfo[];
+  /** The points of each primitive. */
+  readonly members: readonly Uint32Array[];
+}
+
+export interface LessonSegmentation extends PrimitiveLists {
+  readonly report: Report;
+}
+
+/** Spacing and noise of a lesson's parts: few enough points to vote while the reader waits. */
+const PART = { spacing: 0.02, noise: 0.0005, seed: 1 } as const;
+const FIT_SEED = 1;
+
+let model: Model | undefined;
+let hough: HoughLesson | undefined;
+
+function hold(next: Model): Model {
+  hough?.free();
+  hough = undefined;
+  model?.free();
+  model = next;
+  return next;
+}
+
+function held<T>(value: T | undefined): T {
+  if (value === undefined) throw new Error("The lesson has not begun.");
+  return value;
+}
+
+function listsOf(of: Model, method?: string): PrimitiveLists {
+  const { offsets, indices } = of.members(method);
+  const primitives = of.primitives(method);
+  const members = primitives.map((_, place) => indices.slice(offsets[place], offsets[place + 1]));
+  return { primitives, members };
+}
+
+function shown(of: Model): LessonModel {
+  return { positions: of.positions(), lists: listsOf(of) };
+}
+
+const lessons = {
+  async niche(rest: number): Promise<LessonModel> {
+    await init();
+    return shown(hold(Model.niche(rest)));
+  },
+
+  paint(lists: Uint32Array[], shift: number): PaintedScore {
+    return held(model).paint(lists, shift);
+  },
+
+  async part(name: string): Promise<LessonModel> {
+    await init();
+    return shown(hold(Model.generate(name, { ...PART })));
+  },
+
+  vote(family: SurfaceType): SliceInfo {
+    hough?.free();
+    hough = undefined;
+    hough = new HoughLesson(held(model), family);
+    return hough.slice();
+  },
+
+  gamma(point: number): Uint32Array {
+    return held(hough).gamma(point);
+  },
+
+  heights(points: Uint32Array): Float32Array {
+    return held(hough).heights(points);
+  },
+
+  cell(cell: number) {
+    return held(hough).cell(cell);
+  },
+
+  maxima(share: number) {
+    return held(hough).maxima(share);
+  },
+
+  polish(cell: number) {
+    return held(hough).polish(cell);
+  },
+
+  segment(method: "ht" | "pg"): LessonSegmentation {
+    const of = held(model);
+    const name = of.fit(method, {}, FIT_SEED, () => undefined);
+    return { ...listsOf(of, name), report: of.score(name, "definition") };
+  },
+
+  async forms(sliders: SurfaceSliders) {
+    await init();
+    return surfaceForms(sliders);
+  },
+
+  async compare(predicted: number[], truth: number[]) {
+    await init();
+    return compareForms(Float64Array.from(predicted), Float64Array.from(truth));
+  },
+};
+
+export type LessonsWorker = typeof lessons;
+
+Comlink.expose(lessons);
