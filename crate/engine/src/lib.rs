@@ -27,6 +27,7 @@ pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
 pub use lesson::forms::{FormComparison, Forms, SurfaceSliders};
+pub use lesson::growing::{GrowingLesson, PartitionInfo, SlippageInfo, SplitInfo};
 pub use lesson::hough::{
     AxisInfo, CellInfo, HoughLesson, MaximumInfo, PolishInfo, RivalInfo, SliceInfo,
 };

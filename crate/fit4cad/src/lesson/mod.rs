@@ -3,5 +3,6 @@
 //! functions as scoring and fitting do; nothing is imitated.
 
 pub mod forms;
+pub mod growing;
 pub mod hough;
 pub mod painting;

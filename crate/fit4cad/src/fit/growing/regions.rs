@@ -4,7 +4,7 @@ use crate::cloud::neighbours::Neighbourhoods;
 
 /// Neighbours a region grows to. Fewer than the variation looks at: a row of sharp points is about
 /// two deep on either side of an edge, and a region must not step over it.
-const STEPS: usize = 6;
+pub const STEPS: usize = 6;
 
 /// Grows regions from seeds in the given order: a seed's neighbours that are not sharp join its
 /// region and are seeds in their turn, until every such point has a region. Largest first, the
