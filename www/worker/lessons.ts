@@ -3,12 +3,14 @@
 import * as Comlink from "comlink";
 import init, {
   compareForms,
+  GrowingLesson,
   HoughLesson,
   Model,
   surfaceForms,
   type PaintedScore,
   type PrimitiveInfo,
   type Report,
+  type SampleOptions,
   type SliceInfo,
   type SurfaceSliders,
   type SurfaceType,
@@ -31,16 +33,17 @@ export interface LessonSegmentation extends PrimitiveLists {
   readonly report: Report;
 }
 
-/** Spacing and noise of a lesson's parts: few enough points to vote while the reader waits. */
-const PART = { spacing: 0.02, noise: 0.0005, seed: 1 } as const;
 const FIT_SEED = 1;
 
 let model: Model | undefined;
 let hough: HoughLesson | undefined;
+let growing: GrowingLesson | undefined;
 
 function hold(next: Model): Model {
   hough?.free();
   hough = undefined;
+  growing?.free();
+  growing = undefined;
   model?.free();
   model = next;
   return next;
@@ -72,9 +75,9 @@ const lessons = {
     return held(model).paint(lists, shift);
   },
 
-  async part(name: string): Promise<LessonModel> {
+  async part(name: string, options: SampleOptions): Promise<LessonModel> {
     await init();
-    return shown(hold(Model.generate(name, { ...PART })));
+    return shown(hold(Model.generate(name, options)));
   },
 
   vote(family: SurfaceType): SliceInfo {
@@ -102,6 +105,29 @@ const lessons = {
 
   polish(cell: number) {
     return held(hough).polish(cell);
+  },
+
+  grow(): Float32Array {
+    growing?.free();
+    growing = undefined;
+    growing = new GrowingLesson(held(model));
+    return growing.variation();
+  },
+
+  partition(quantile: number) {
+    return held(growing).partition(quantile);
+  },
+
+  slippage(region: number) {
+    return held(growing).slippage(region);
+  },
+
+  ghost(region: number, motion: number, amount: number): Float32Array {
+    return held(growing).ghost(region, motion, amount);
+  },
+
+  split(region: number) {
+    return held(growing).split(region);
   },
 
   segment(method: "ht" | "pg"): LessonSegmentation {

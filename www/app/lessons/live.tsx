@@ -1,7 +1,7 @@
 // A live view for lessons: points by label, in the page's theme.
 
 import type { JSX } from "preact";
-import { useEffect, useState } from "preact/hooks";
+import { useState } from "preact/hooks";
 import { isDark } from "../state/settings";
 import { effect } from "@preact/signals";
 import type { PointView } from "../view/point-view";
@@ -45,11 +45,4 @@ export function LiveView({ label, layout, onView, children }: Props): JSX.Elemen
 
 function message(failure: string): string {
   return `${failure} The figures beside it work all the same.`;
-}
-
-/** Calls `draw` whenever the view or one of the values changes. */
-export function useDrawing(view: PointView | undefined, draw: (view: PointView) => void, values: readonly unknown[]): void {
-  useEffect(() => {
-    if (view) draw(view);
-  }, [view, ...values]);
 }

@@ -32,6 +32,7 @@ pub struct CountsInfo {
 
 /// The score of a painted prediction.
 #[derive(Debug, Clone, Serialize, Tsify)]
+#[tsify(hashmap_as_object)]
 pub struct PaintedScore {
     /// As for any other submission.
     pub report: Report,

@@ -1,8 +1,8 @@
 // Lesson: implicit and parametric.
 
 import type { ComponentChildren, JSX } from "preact";
-import { useSignalEffect } from "@preact/signals";
-import { useRef, useState } from "preact/hooks";
+import { useSignal, useSignalEffect } from "@preact/signals";
+import { useRef } from "preact/hooks";
 import type { Forms, SurfaceSliders } from "../../../generated/engine/engine.js";
 import { bytes, segmentColour, UNSEGMENTED } from "../../view/palette";
 import type { PointView } from "../../view/point-view";
@@ -29,7 +29,7 @@ export default function FormsLesson(): JSX.Element {
 }
 
 function Workbench({ session }: { session: Session }): JSX.Element {
-  const [view, setView] = useState<PointView>();
+  const view = useSignal<PointView | undefined>(undefined);
   const follow = useRef(follower(session));
   const framed = useRef("");
   const current = STEPS[Math.min(step.value, STEPS.length) - 1];
@@ -46,21 +46,22 @@ function Workbench({ session }: { session: Session }): JSX.Element {
   useSignalEffect(() => {
     const forms = predicted.value;
     const fixed = truth.value;
-    if (!view || !forms || !fixed) return;
-    const both = current?.compares === true;
+    const drawn = view.value;
+    if (!drawn || !forms || !fixed) return;
+    const both = STEPS[Math.min(step.value, STEPS.length) - 1]?.compares === true;
     const first = forms.points.length / 3;
     const points = new Float32Array(both ? forms.points.length + fixed.points.length : forms.points.length);
     points.set(forms.points);
     if (both) points.set(fixed.points, forms.points.length);
-    const camera = view.camera;
-    view.setCloud(points);
-    view.setLabels(0, Uint32Array.from({ length: points.length / 3 }, (_, point) => (point < first ? 1 : 2)));
-    view.setColours(0, bytes([UNSEGMENTED, PREDICTED, TRUE]));
-    view.colourByLabel(0);
-    view.setPatches([patchOf(forms, PREDICTED), ...(both ? [patchOf(fixed, TRUE)] : [])].filter((patch) => patch !== undefined));
+    const camera = drawn.camera;
+    drawn.setCloud(points);
+    drawn.setLabels(0, Uint32Array.from({ length: points.length / 3 }, (_, point) => (point < first ? 1 : 2)));
+    drawn.setColours(0, bytes([UNSEGMENTED, PREDICTED, TRUE]));
+    drawn.colourByLabel(0);
+    drawn.setPatches([patchOf(forms, PREDICTED), ...(both ? [patchOf(fixed, TRUE)] : [])].filter((patch) => patch !== undefined));
     const frame = `${forms.surface.type} ${both}`;
-    if (framed.current === frame) view.setCamera(camera);
-    else view.fit(false);
+    if (framed.current === frame) drawn.setCamera(camera);
+    else drawn.fit(false);
     framed.current = frame;
   });
 
@@ -73,7 +74,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
   };
   return (
     <>
-      <LiveView label="The surface" layout={{ kind: "single", side: 0 }} onView={setView} />
+      <LiveView label="The surface" layout={{ kind: "single", side: 0 }} onView={(made) => (view.value = made)} />
       <div class="lesson-tools">
         <Choice label="Family" value={type} options={FAMILIES.map((family) => [family, family] as const)} onChange={choose} />
         <Slider name="x" value={at[0]} range={[-1, 1]} onInput={place(0)} />

@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { useSignal, useSignalEffect } from "@preact/signals";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { bytes, segmentColour, segmentTable, UNSEGMENTED } from "../../view/palette";
 import type { PointView } from "../../view/point-view";
 import * as format from "../../ui/format";
@@ -14,7 +14,7 @@ import { step } from "../steps";
 import { Accumulator } from "./accumulator";
 import { Persistence } from "./persistence";
 import * as state from "./state";
-import { STEPS } from "./steps";
+import { STEPS, type HoughStep } from "./steps";
 
 const VOTER = segmentColour(2);
 const SURFACE = segmentColour(0);
@@ -36,47 +36,51 @@ export default function HoughLessonPage(): JSX.Element {
 }
 
 function Workbench({ session }: { session: Session }): JSX.Element {
-  const [view, setView] = useState<PointView>();
+  const view = useSignal<PointView | undefined>(undefined);
   const relief = useSignal(false);
   const current = STEPS[Math.min(step.value, STEPS.length) - 1];
-  const has = (tool: (typeof STEPS)[number]["tools"][number]) => current?.tools.includes(tool) === true;
+  // Reads the step anew, so that effects follow it.
+  const has = (tool: HoughStep["tools"][number]) => STEPS[Math.min(step.value, STEPS.length) - 1]?.tools.includes(tool) === true;
 
   useSignalEffect(() => {
     const shown = state.part.value;
-    if (!view || !shown) return;
-    view.setCloud(shown.positions);
-    view.colourByLabel(0);
-    view.lookFrom("isometric", false);
-    view.fit(false);
+    const drawn = view.value;
+    if (!drawn || !shown) return;
+    drawn.setCloud(shown.positions);
+    drawn.colourByLabel(0);
+    drawn.lookFrom("isometric", false);
+    drawn.fit(false);
   });
 
   useSignalEffect(() => {
     const shown = state.part.value;
-    if (!view || !shown) return;
+    const drawn = view.value;
+    if (!drawn || !shown) return;
     const found = has("segment") ? state.segmentation.value : undefined;
     const labels = new Uint32Array(shown.positions.length / 3);
     if (found) {
       found.members.forEach((list, place) => list.forEach((index) => (labels[index] = place + 1)));
-      view.setColours(0, segmentTable(found.members.length));
-      view.setPatches([]);
+      drawn.setColours(0, segmentTable(found.members.length));
+      drawn.setPatches([]);
     } else {
       const polished = has("peaks") ? state.polished.value : undefined;
       const info = has("vote") || has("segment") ? undefined : state.cellInfo.value;
       const patch = polished?.patch ?? info?.patch;
       (polished?.support ?? info?.voters ?? NOTHING).forEach((index) => (labels[index] = 1));
       if (has("point") && state.point.value !== undefined) labels[state.point.value] = 2;
-      view.setColours(0, bytes([UNSEGMENTED, VOTER, "#e000b8"]));
-      view.setPatches(patch ? [{ side: 0, colour: SURFACE, ...patch }] : []);
+      drawn.setColours(0, bytes([UNSEGMENTED, VOTER, "#e000b8"]));
+      drawn.setPatches(patch ? [{ side: 0, colour: SURFACE, ...patch }] : []);
     }
-    view.setLabels(0, labels);
+    drawn.setLabels(0, labels);
   });
 
   useEffect(() => {
-    if (!view || !has("point")) return;
-    return view.on("click", (hit) => {
+    const drawn = view.value;
+    if (!drawn || !has("point")) return;
+    return drawn.on("click", (hit) => {
       if (hit) session.run(() => state.choosePoint(session, hit.index));
     });
-  }, [view, current, session]);
+  }, [view.value, current, session]);
 
   const { slice } = state;
   const heights = current?.shows === "all" ? state.all.value : current?.shows === "voted" ? state.heights.value : NO_HEIGHTS;
@@ -86,7 +90,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
   return (
     <>
       <div class="lesson-pair">
-        <LiveView label="The part" layout={{ kind: "single", side: 0 }} onView={setView}>
+        <LiveView label="The part" layout={{ kind: "single", side: 0 }} onView={(made) => (view.value = made)}>
           {state.busy.value && <p class="canvas-state">The engine is at work…</p>}
         </LiveView>
         <div class="accumulator-side">
@@ -102,7 +106,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
               onCell={chooseCell}
             />
           )}
-          {has("threshold") && (
+          {has("threshold") && state.maxima.value.length > 0 && (
             <Persistence maxima={state.maxima.value} share={state.share.value} chosen={state.cell.value} onCell={chooseCell} />
           )}
         </div>

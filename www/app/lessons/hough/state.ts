@@ -17,6 +17,9 @@ export const PART_OF: Readonly<Record<SurfaceType, "flange" | "ball-joint">> = {
   Torus: "flange",
 };
 
+/** Few enough points to vote while the reader waits, and as noisy as measured ones. */
+const SAMPLE = { spacing: 0.02, noise: 0.0005, seed: 1 };
+
 export const family = signal<SurfaceType>("Cylinder");
 export const part = signal<LessonModel | undefined>(undefined);
 export const slice = signal<SliceInfo | undefined>(undefined);
@@ -60,7 +63,7 @@ export async function open({ engine }: Session, next: SurfaceType): Promise<void
   busy.value = true;
   try {
     const wanted = PART_OF[next];
-    const model = name === wanted && part.value ? part.value : await engine.part(wanted);
+    const model = name === wanted && part.value ? part.value : await engine.part(wanted, SAMPLE);
     name = wanted;
     const info = await engine.vote(next);
     part.value = model;

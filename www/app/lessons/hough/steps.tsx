@@ -2,10 +2,10 @@
 
 import type { JSX } from "preact";
 import type { SurfaceInfo } from "../../../generated/engine/engine.js";
-import { MEASURES } from "../../measures/measures";
 import * as format from "../../ui/format";
 import { Exercise } from "../exercise";
 import type { Step } from "../frame";
+import { MeanScore } from "../mean-score";
 import { all, cell, cellInfo, family, gamma, maxima, part, point, polished, segmentation, share, slice, voted } from "./state";
 
 export interface HoughStep extends Step {
@@ -251,7 +251,7 @@ export const STEPS: readonly HoughStep[] = [
           hint="The button is below the picture. It takes a few seconds."
           learnt="This is the fitter of the playground: the Score page runs it on any cloud."
         />
-        <Score />
+        {segmentation.value && <MeanScore report={segmentation.value.report} />}
       </>
     ),
   },
@@ -274,24 +274,6 @@ function Rivals(): JSX.Element {
             <th scope="row">{rival.type}</th>
             <td class="numeric">{format.measure("MFE", rival.mfe)}</td>
             <td>{[rival.least && "lowest MFE", rival.kept && "kept"].filter(Boolean).join(", ")}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
-export function Score(): JSX.Element | null {
-  const report = segmentation.value?.report;
-  if (!report) return null;
-  return (
-    <table class="formulas">
-      <caption>Score, by definition</caption>
-      <tbody>
-        {MEASURES.map((name) => (
-          <tr key={name}>
-            <th scope="row">{name}</th>
-            <td class="numeric">{format.measure(name, report.mean[name])}</td>
           </tr>
         ))}
       </tbody>

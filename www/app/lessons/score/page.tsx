@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { bytes, OUTCOME_COLOURS, segmentColour, UNSEGMENTED } from "../../view/palette";
 import type { PointView } from "../../view/point-view";
 import { Swatch } from "../../ui/swatch";
@@ -35,7 +35,7 @@ export default function ScoreLesson(): JSX.Element {
 }
 
 function Workbench({ session }: { session: Session }): JSX.Element {
-  const [view, setView] = useState<PointView>();
+  const view = useSignal<PointView | undefined>(undefined);
   const tool = useSignal<Tool>("paint");
   const radius = useSignal(18);
   const current = useComputed(() => STEPS[Math.min(step.value, STEPS.length) - 1]);
@@ -63,27 +63,30 @@ function Workbench({ session }: { session: Session }): JSX.Element {
 
   useSignalEffect(() => {
     const shown = part.value;
-    if (!view || !shown) return;
-    view.setCloud(shown.positions);
+    const drawn = view.value;
+    if (!drawn || !shown) return;
+    drawn.setCloud(shown.positions);
     const labels = new Uint32Array(shown.positions.length / 3);
     shown.lists.members.forEach((list, place) => list.forEach((point) => (labels[point] = place + 1)));
-    view.setLabels(0, labels);
-    view.setColours(0, bytes([UNSEGMENTED, ...shown.lists.members.map((_, place) => segmentColour(place))]));
-    view.colourByLabel(0);
-    view.colourByLabel(1);
+    drawn.setLabels(0, labels);
+    drawn.setColours(0, bytes([UNSEGMENTED, ...shown.lists.members.map((_, place) => segmentColour(place))]));
+    drawn.colourByLabel(0);
+    drawn.colourByLabel(1);
     const own = shown.lists.members.slice(0, 2).map((_, place) => place + 1);
-    view.lookFrom("isometric", false);
-    view.turn(-0.55, 0);
-    view.fitLabels(0, own, false);
-    view.zoom(0.92);
+    // From before the opening and above, where no part of the niche hides another.
+    drawn.lookFrom("front", false);
+    drawn.turn(0.3, 0.6);
+    drawn.fitLabels(0, own, false);
+    drawn.zoom(0.92);
   });
 
   useSignalEffect(() => {
     const shown = part.value;
-    if (!view || !shown) return;
+    const drawn = view.value;
+    if (!drawn || !shown) return;
     const outcome = shows.value === "outcome";
-    view.setLabels(1, outcome ? outcomes() : predictions());
-    view.setColours(1, bytes(outcome ? OUTCOMES : [UNSEGMENTED, ...PREDICTIONS.map((_, place) => predictionColour(place)), "#000000"]));
+    drawn.setLabels(1, outcome ? outcomes() : predictions());
+    drawn.setColours(1, bytes(outcome ? OUTCOMES : [UNSEGMENTED, ...PREDICTIONS.map((_, place) => predictionColour(place)), "#000000"]));
   });
 
   return (
@@ -91,11 +94,11 @@ function Workbench({ session }: { session: Session }): JSX.Element {
       <LiveView
         label="A niche: on the left the truth, on the right the prediction"
         layout={{ kind: "split" }}
-        onView={setView}
+        onView={(made) => (view.value = made)}
       >
         <span class="side-name left">Truth</span>
         <span class="side-name right">{shows.value === "outcome" ? `Outcome for the ${NAMES[lookedAt.value]}` : "Prediction"}</span>
-        <Brush view={view} tool={tool.value} radius={radius.value} />
+        <Brush view={view.value} tool={tool.value} radius={radius.value} />
       </LiveView>
       <div class="lesson-tools">
         <Choice
