@@ -81,8 +81,8 @@ export const STEPS: readonly HoughStep[] = [
         )}
         {family.value === "Plane" && <p>For turn and offset of a plane it is a sinusoid, as in the classical transform for lines.</p>}
         <Exercise
-          task="Find a point that lights at least 30 cells."
-          solved={point.value === undefined ? false : gamma.value.length >= 30}
+          task="Find a point that lights at least 12 cells."
+          solved={point.value === undefined ? false : gamma.value.length >= 12}
           standing={point.value === undefined ? "No point is chosen." : `Point ${format.integer(point.value + 1)} lights ${plural(gamma.value.length, "cell")}.`}
           hint="Try another point; without a pointer, “Another point” does it. A point far from every surface of the slice lights few."
           learnt="One point alone says little: every cell it lights is a surface through it."
@@ -156,13 +156,13 @@ export const STEPS: readonly HoughStep[] = [
         <Exercise
           task={
             family.value === "Cylinder"
-              ? "The flange has six bolt holes of this radius. Choose a threshold that keeps exactly six peaks."
+              ? "The flange has six bolt holes of this radius, yet seven peaks stand apart from all others. Choose a threshold that keeps exactly these seven."
               : "Choose a threshold that keeps fewer than ten peaks, but at least one."
           }
-          solved={family.value === "Cylinder" ? kept() === 6 : kept() > 0 && kept() < 10}
+          solved={family.value === "Cylinder" ? kept() === 7 : kept() > 0 && kept() < 10}
           standing={`At ${Math.round(share.value * 100)} % there ${kept() === 1 ? "is 1 peak" : `are ${kept()} peaks`} left.`}
           hint="Look for the wide gap between the red dots and the rest, and put the line into it."
-          learnt="The threshold is a share of the highest peak: small faces need it low, and then ripples of large ones come along. Polishing sorts those out."
+          learnt="Persistence cannot know what a peak is made of: one of the seven is no bolt hole. Polishing, the next step, finds it out. And small faces need a low threshold, at which ripples of large ones come along."
         />
       </>
     ),
