@@ -96,7 +96,7 @@ test("what a score means: every exercise can be failed and solved without a poin
   await next(page).click();
   await unsolved(exercise(page));
   await press(/^Clear/);
-  await expect(exercise(page)).toContainText("PPV is n/a");
+  await expect(exercise(page)).toContainText("PPV is 0.0");
   await unsolved(exercise(page));
   await press("The truth");
   await repeat("Shrink", 14);

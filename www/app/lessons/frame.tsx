@@ -2,7 +2,7 @@
 
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import { addressOf, goTo } from "../shell/router";
+import { PageLink } from "../shell/page-link";
 import { goToStep, readStep, step } from "./steps";
 import "./lessons.css";
 
@@ -81,16 +81,7 @@ export function LessonFrame({ title, steps, children }: Props): JSX.Element {
         </nav>
         <div class="lesson-text" ref={text} tabIndex={0} role="region" aria-label="Text of the step">
           <p class="lesson-name">
-            <a
-              href={addressOf("lessons")}
-              onClick={(event) => {
-                if (event.ctrlKey || event.metaKey || event.shiftKey) return;
-                event.preventDefault();
-                goTo("lessons");
-              }}
-            >
-              Lessons
-            </a>{" "}
+            <PageLink id="lessons">Lessons</PageLink>{" "}
             / {title}, step {at} of {last}
           </p>
           <h2 ref={heading} tabIndex={-1}>

@@ -1,7 +1,7 @@
 // The list of lessons.
 
 import type { JSX } from "preact";
-import { addressOf, goTo } from "../shell/router";
+import { PageLink } from "../shell/page-link";
 import { LESSONS } from "./catalogue";
 import "./lessons.css";
 
@@ -16,16 +16,7 @@ export default function Lessons(): JSX.Element {
       <ol>
         {LESSONS.map(({ id, title, about }) => (
           <li key={id}>
-            <a
-              href={addressOf(id)}
-              onClick={(event) => {
-                if (event.ctrlKey || event.metaKey || event.shiftKey) return;
-                event.preventDefault();
-                goTo(id);
-              }}
-            >
-              {title}
-            </a>
+            <PageLink id={id}>{title}</PageLink>
             <p>{about}</p>
           </li>
         ))}
