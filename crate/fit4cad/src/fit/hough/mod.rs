@@ -1,5 +1,27 @@
 //! HT: the Hough-transform fitter (paper, section "HT: Simple primitive fitting based on Hough
 //! transform").
+//!
+//! Every surface of a family is a point of a parameter space, and every point P of the cloud a
+//! hypersurface Γ_P there: the surfaces through P. Where many Γ_P meet, a surface holds many points.
+//!
+//! The paper's method votes with single points, which light a hypersurface of cells each. This one
+//! votes with small neighbourhoods, whose Γ_P have already been intersected by a closed-form solution
+//! (a randomised Hough transform): one vote is one cell, so that accumulators can be sparse and fine.
+//!
+//! ```text
+//! solutions, coaxial, borders   neighbourhoods → votes
+//! family, vote                  votes → ladder of small spaces → consensus of each peak's voters
+//!   directions, grid              the spaces: half the Gauss sphere; boxes of up to three axes
+//!   accumulator, persistence      𝓗 and its maxima above 10 % of the highest
+//! rounds                        summits → grown and polished → compete → accepted
+//! find, noisy                   rounds until nothing is left, without and with noise
+//! gamma, trace                  Γ_P of single points and everything above as data, for lessons
+//! ```
+//!
+//! On clouds without noise the search goes from neighbourhoods that cannot be wrong (all points on
+//! one plane, on one quadric, on one curve turned about a known axis) to those that may be mixed,
+//! and last to rings and chamfers with no interior points, which only the open borders of their
+//! neighbours show.
 
 pub mod accumulator;
 mod borders;
