@@ -80,3 +80,20 @@ test("the page asks no one else for anything", async ({ page }) => {
   await open(page);
   expect(strangers).toEqual([]);
 });
+
+test("the views are given more or less room by keyboard and by dragging", async ({ page }) => {
+  await open(page);
+  const height = async () => (await page.locator(".canvas-box").boundingBox())?.height ?? 0;
+  const before = await height();
+  const border = page.getByRole("separator", { name: "Height of the views" });
+  await border.focus();
+  await page.keyboard.press("ArrowDown");
+  await expect.poll(height).toBeGreaterThan(before);
+  const box = await border.boundingBox();
+  if (!box) throw new Error("no border");
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y - 120, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(height).toBeLessThan(before);
+});

@@ -4,12 +4,14 @@ import type { JSX } from "preact";
 import { ModelList } from "../models/list";
 import { Stage } from "../stage/stage";
 import { Panels } from "./panels";
+import { Splitter, viewsShare } from "./splitter";
 
 export default function Workspace(): JSX.Element {
   return (
-    <div class="workspace">
+    <div class="workspace" style={{ "--views": `${viewsShare.value}fr`, "--panels": `${100 - viewsShare.value}fr` }}>
       <ModelList />
       <Stage />
+      <Splitter />
       <Panels />
     </div>
   );
