@@ -65,16 +65,13 @@ export function LessonFrame({ title, steps, children }: Props): JSX.Element {
           <button type="button" disabled={at === 1} onClick={() => goToStep(at - 1, last)}>
             ← Back
           </button>
-          <label>
-            <span class="visually-hidden">Step</span>
-            <select value={String(at)} onChange={(event) => goToStep(Number(event.currentTarget.value), last)}>
-              {steps.map((each, place) => (
-                <option key={each.title} value={String(place + 1)}>
-                  {place + 1}. {each.title}
-                </option>
-              ))}
-            </select>
-          </label>
+          <select aria-label="Step" value={String(at)} onChange={(event) => goToStep(Number(event.currentTarget.value), last)}>
+            {steps.map((each, place) => (
+              <option key={each.title} value={String(place + 1)}>
+                {place + 1}. {each.title}
+              </option>
+            ))}
+          </select>
           <button type="button" class="primary" disabled={at === last} onClick={() => goToStep(at + 1, last)}>
             Next →
           </button>

@@ -33,7 +33,9 @@ export function Accumulator(props: Props): JSX.Element {
   useEffect(() => {
     const context = canvas.current?.getContext("2d");
     if (!context) return;
-    context.clearRect(0, 0, SIZE, SIZE);
+    // Cells without votes, and before the first vote all are.
+    context.fillStyle = sample(SEQUENTIAL, 0);
+    context.fillRect(0, 0, SIZE, SIZE);
     if (relief) drawRelief(context, props);
     else drawMap(context, props);
   }, [slice, heights, top, lit, chosen, maxima, relief]);

@@ -49,6 +49,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     drawn.setCloud(shown.positions);
     drawn.colourByLabel(0);
     drawn.lookFrom("isometric", false);
+    drawn.turn(0, 0.35);
     drawn.fit(false);
   });
 
