@@ -1,4 +1,5 @@
 //! The Hough-transform fitter from cloud to segmentation.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use fit4cad::cloud::{Cloud, Point, Vector};
 use fit4cad::fit::hough::family::Rung;

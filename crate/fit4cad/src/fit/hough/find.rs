@@ -249,7 +249,7 @@ impl Work<'_> {
                 {
                     // Two rows of border points are in a plane and in any number of quadrics.
                     let inside = patch.iter().filter(|&&i| !search.is_explained(i)).count();
-                    if 4 * inside >= patch.len() || vote.surface.kind() == SurfaceType::Plane {
+                    if 10 * inside >= patch.len() || vote.surface.kind() == SurfaceType::Plane {
                         votes.push(vote);
                     }
                 }
