@@ -30,6 +30,7 @@ export const PANELS: readonly PanelDefinition[] = [
   { id: "measures", title: "Measures", load: () => import("../scores/panel") },
   { id: "primitives", title: "Primitives", load: () => import("../primitives/panel") },
   { id: "overlooked", title: "Overlooked", load: () => import("../overlooked/panel") },
+  { id: "charts", title: "Charts", load: () => import("../charts/panel") },
   { id: "fit", title: "Fit", load: () => import("../fit/panel") },
   { id: "diagnostics", title: "Diagnostics", badge: diagnosticsBadge, load: () => import("../diagnostics/panel") },
   { id: "comparison", title: "Comparison", load: () => import("../comparison/panel") },

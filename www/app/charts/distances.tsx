@@ -1,0 +1,165 @@
+// How far points are from the surfaces of their primitives, for the model that is looked at.
+
+import type { JSX } from "preact";
+import { computed } from "@preact/signals";
+import type { SegmentationScene } from "../../worker/protocol";
+import { pairOf, segmentColours } from "../stage/colouring";
+import { scene } from "../state/scene";
+import { selectedModel, selectedPrimitive, selectedReports, togglePrimitive, type Side } from "../state/selection";
+import { protocol } from "../state/settings";
+import * as format from "../ui/format";
+import { Table, type Column } from "../ui/table";
+import { UNSEGMENTED } from "../view/palette";
+import { BINS, blocksOf, largest, type Block } from "./bins";
+import { Chart } from "./figure";
+import { drawn, leading, Plot, type Frame } from "./plot";
+
+interface Coloured extends Block {
+  readonly side: Side;
+  readonly series: string;
+  readonly colour: string;
+  readonly number: number;
+}
+
+interface Half {
+  readonly side: Side;
+  readonly series: string;
+  readonly blocks: readonly Coloured[];
+}
+
+interface Histogram {
+  readonly model: string;
+  /** The selected primitive in words; absent where it is about all of them. */
+  readonly primitive: string | undefined;
+  readonly limit: number;
+  readonly halves: readonly Half[];
+}
+
+const histogram = computed<Histogram | undefined>(() => {
+  const state = scene.value;
+  const model = selectedModel.value;
+  if (state.kind !== "ready" || model === undefined) return undefined;
+  const { truth, prediction, method } = state.scene;
+  const report = selectedReports.value?.[protocol.value];
+  const selected = selectedPrimitive.value;
+  const pair = selected && (report ? pairOf(report, selected) : selected.side === "truth" ? { truth: selected.index } : { match: selected.index });
+  const sides = [
+    { side: "truth", series: "Truth", segmentation: truth, only: pair?.truth },
+    { side: "prediction", series: method ?? "", segmentation: prediction, only: pair?.match },
+  ] as const;
+  const wanted = sides.flatMap(({ side, series, segmentation, only }) => {
+    if (!segmentation) return [];
+    const places = !pair ? segmentation.primitives.map((_, place) => place) : only === undefined ? [] : [only];
+    const colours = segmentColours(side === "truth" ? 0 : 1, { scene: state.scene, report, selected }, segmentation.primitives.length);
+    return [{ side, series, segmentation, places, colours }];
+  });
+  const limit = Math.max(0, ...wanted.map(({ segmentation, places }) => largest(segmentation, places)));
+  return {
+    model,
+    primitive: selected && wanted.find(({ side }) => side === selected.side) && nameOf(selected.side, selected.side === "truth" ? truth : prediction, selected.index),
+    limit,
+    halves: wanted.map(({ side, series, segmentation, places, colours }) => ({
+      side,
+      series,
+      blocks: blocksOf(segmentation, places, limit).map((block) => ({
+        ...block,
+        side,
+        series,
+        colour: colours[block.place + 1] ?? UNSEGMENTED,
+        number: segmentation.primitives[block.place]?.number ?? block.place + 1,
+      })),
+    })),
+  };
+});
+
+function nameOf(side: Side, segmentation: SegmentationScene | undefined, place: number): string {
+  return `${side === "truth" ? "true" : "predicted"} primitive ${segmentation?.primitives[place]?.number ?? place + 1}`;
+}
+
+interface Row {
+  readonly bin: number;
+  readonly low: number;
+  readonly high: number;
+  /** Points per half, in their order. */
+  readonly counts: readonly number[];
+}
+
+function rowsOf({ limit, halves }: Histogram): Row[] {
+  return Array.from({ length: BINS }, (_, bin) => ({
+    bin,
+    low: (limit * bin) / BINS,
+    high: (limit * (bin + 1)) / BINS,
+    counts: halves.map(({ blocks }) => blocks.reduce((most, block) => (block.bin === bin ? Math.max(most, block.to) : most), 0)),
+  }));
+}
+
+function columnsOf({ halves }: Histogram): Column<Row>[] {
+  const length = (value: number) => value.toPrecision(3);
+  return [
+    { id: "low", head: "Distance", label: "distance", cell: ({ low, high }) => `${length(low)} to ${length(high)}`, sortBy: ({ low }) => low },
+    ...halves.map(
+      ({ series, side }, at): Column<Row> => ({
+        id: side,
+        head: series,
+        label: `points of ${series}`,
+        numeric: true,
+        cell: ({ counts }) => format.integer(counts[at] ?? 0),
+        sortBy: ({ counts }) => counts[at],
+      }),
+    ),
+  ];
+}
+
+export function DistanceChart(): JSX.Element | null {
+  const current = histogram.value;
+  if (!current) return null;
+  const title = `Distances to the surface, ${current.primitive ? `${current.primitive} of ` : ""}${current.model}`;
+  const empty = current.halves.every(({ blocks }) => blocks.length === 0);
+  if (empty) return <p class="empty">No distances: {title.toLowerCase()} has no surface to measure from.</p>;
+  return (
+    <Chart
+      name="distances"
+      title={title}
+      description={`Number of points by their distance to the surface of their primitive, in the units of the file. ${current.primitive ? "The selected primitive and its partner." : "Colours as in the view; select a primitive to see it alone."}`}
+      draw={(frame) => draw(frame, current)}
+      table={() => <Table caption={title} columns={columnsOf(current)} rows={rowsOf(current)} keyOf={({ bin }) => String(bin)} />}
+    />
+  );
+}
+
+function draw(frame: Frame, { limit, halves }: Histogram): SVGSVGElement {
+  const blocks = halves.flatMap((half) => half.blocks);
+  const names = halves.map(({ side }) => side);
+  const series = halves.map((half) => ({ side: half.side, text: half.series }));
+  return drawn(frame, {
+    height: 60 + 120 * halves.length,
+    marginLeft: 48,
+    marginTop: 12,
+    marginBottom: 38,
+    marginRight: 16,
+    x: { domain: [0, limit || 1], label: "Distance →" },
+    y: { label: null, nice: true },
+    fy: { domain: names, axis: null, padding: 0.12 },
+    marks: [
+      Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
+      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: "~g" }),
+      Plot.axisY({ label: null, ticks: 4, tickFormat: "~s" }),
+      Plot.rect(blocks, {
+        fy: "side",
+        x1: "low",
+        x2: "high",
+        y1: "from",
+        y2: "to",
+        insetLeft: 0.5,
+        insetRight: 0.5,
+        fill: "colour",
+        className: "bins",
+        title: ({ series: of, number, low, high, from, to }: Coloured) =>
+          `${of}, primitive ${number}: ${format.integer(to - from)} points from ${low.toPrecision(3)} to ${high.toPrecision(3)}`,
+        ...leading(blocks, ({ side, place }) => togglePrimitive({ side, index: place })),
+      }),
+      Plot.ruleY([0], { stroke: frame.soft }),
+      Plot.text(series, { fy: "side", text: "text", frameAnchor: "top-right", fill: frame.ink, fontSize: 11, fontWeight: 600 }),
+    ],
+  });
+}

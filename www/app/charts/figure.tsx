@@ -1,0 +1,96 @@
+// One chart: drawn, read as a table, or saved.
+
+import type { ComponentChildren, JSX } from "preact";
+import { useSignal } from "@preact/signals";
+import { useId, useLayoutEffect, useRef } from "preact/hooks";
+import { download } from "../export/download";
+import { isDark } from "../state/settings";
+import { follow, frameOf, PRINT, type Frame } from "./plot";
+
+interface Props {
+  /** Of the file it is saved as. */
+  readonly name: string;
+  readonly title: string;
+  readonly description: string;
+  readonly draw: (frame: Frame) => SVGSVGElement;
+  /** The figures that are drawn. */
+  readonly table: () => ComponentChildren;
+}
+
+export function Chart({ name, title, description, draw, table }: Props): JSX.Element {
+  const id = useId();
+  const asTable = useSignal(false);
+  const width = useSignal(0);
+  const box = useRef<HTMLDivElement>(null);
+  // Colours are read when drawing, so a change of theme must draw anew.
+  void isDark();
+  const svg = !asTable.value && width.value > 0 ? draw(frameOf(width.value)) : undefined;
+
+  useLayoutEffect(() => {
+    const element = box.current;
+    if (!element) return;
+    const observer = new ResizeObserver(([entry]) => {
+      if (entry) width.value = Math.floor(entry.contentRect.width);
+    });
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [asTable.value]);
+
+  useLayoutEffect(() => {
+    if (!svg) return;
+    svg.setAttribute("role", "img");
+    svg.setAttribute("aria-labelledby", `${id}-title`);
+    svg.setAttribute("aria-describedby", `${id}-description`);
+    box.current?.replaceChildren(svg);
+  }, [svg]);
+
+  return (
+    <figure class="chart" data-chart={name}>
+      <figcaption>
+        <h3 id={`${id}-title`}>{title}</h3>
+      </figcaption>
+      <div class="row">
+        <button
+          type="button"
+          aria-pressed={asTable.value}
+          aria-label={`${title} as a table`}
+          onClick={() => (asTable.value = !asTable.value)}
+        >
+          Table
+        </button>
+        <button type="button" aria-label={`Save ${title} as SVG`} onClick={() => save(name, title, description, draw(PRINT))}>
+          Save SVG
+        </button>
+      </div>
+      <p class="hint" id={`${id}-description`}>
+        {description}
+      </p>
+      {asTable.value ? (
+        // Focusable, because a wide table scrolls.
+        <div key="table" class="chart-table" role="region" aria-labelledby={`${id}-title`} tabIndex={0}>
+          {table()}
+        </div>
+      ) : (
+        <div key="drawing" class="chart-drawing" ref={box} onClick={follow} />
+      )}
+    </figure>
+  );
+}
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function save(name: string, title: string, description: string, svg: SVGSVGElement): void {
+  const ground = document.createElementNS(SVG, "rect");
+  ground.setAttribute("width", "100%");
+  ground.setAttribute("height", "100%");
+  ground.setAttribute("fill", PRINT.surface);
+  svg.prepend(worded("title", title), worded("desc", description), ground);
+  const text = new XMLSerializer().serializeToString(svg);
+  download(`fit4cad-${name}.svg`, new Blob([text], { type: "image/svg+xml;charset=utf-8" }));
+}
+
+function worded(element: "title" | "desc", text: string): SVGElement {
+  const made = document.createElementNS(SVG, element);
+  made.textContent = text;
+  return made;
+}

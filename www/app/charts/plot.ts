@@ -1,0 +1,114 @@
+// Observable Plot as the charts use it: colours given outright, clicks that lead somewhere, and a
+// drawing that stands on its own as a file.
+
+import * as Plot from "@observablehq/plot";
+
+export { Plot };
+
+/** What a drawing is fitted to. Colours are literal, so that a saved file looks the same anywhere. */
+export interface Frame {
+  readonly width: number;
+  readonly ink: string;
+  readonly soft: string;
+  readonly line: string;
+  readonly surface: string;
+  readonly accent: string;
+}
+
+/** For files: dark on white, the width of a printed column. */
+export const PRINT: Frame = {
+  width: 640,
+  ink: "#000000",
+  soft: "#444444",
+  line: "#cccccc",
+  surface: "#ffffff",
+  accent: "#000000",
+};
+
+/** The page's colours as they are now. */
+export function frameOf(width: number): Frame {
+  const style = getComputedStyle(document.documentElement);
+  const token = (name: string) => style.getPropertyValue(name).trim();
+  return {
+    width,
+    ink: token("--ink"),
+    soft: token("--ink-soft"),
+    line: token("--line"),
+    surface: token("--surface"),
+    accent: token("--accent"),
+  };
+}
+
+export function drawn(frame: Frame, options: Plot.PlotOptions): SVGSVGElement {
+  const svg = Plot.plot({ color: { type: "identity" }, ...options, width: frame.width, figure: false });
+  if (!(svg instanceof SVGSVGElement)) throw new TypeError("a plot without a figure is an SVG element");
+  // The page's policy forbids style elements; their two rules are in the style sheet.
+  svg.querySelectorAll("style").forEach((style) => style.remove());
+  // Plot labels its groups, which have no role that may be labelled; the drawing is named as a whole.
+  svg.querySelectorAll("[aria-label], [aria-description]").forEach((part) => {
+    part.removeAttribute("aria-label");
+    part.removeAttribute("aria-description");
+  });
+  svg.setAttribute("color", frame.ink);
+  return svg;
+}
+
+type Go = () => void;
+
+const actions = new WeakMap<EventTarget, Go>();
+
+/** Options of a mark whose shapes lead somewhere when clicked, one shape per datum. */
+export function leading<T>(data: readonly T[], go: (datum: T) => void): Pick<Plot.MarkOptions, "render"> {
+  return {
+    render: (index, scales, values, dimensions, context, next) => {
+      const group = next?.(index, scales, values, dimensions, context) ?? null;
+      [...(group?.children ?? [])].forEach((shape, at) => {
+        const datum = data[index[at] ?? -1];
+        if (datum === undefined) return;
+        actions.set(shape, () => go(datum));
+        shape.classList.add("leads");
+      });
+      return group;
+    },
+  };
+}
+
+/** Follows a click on a shape that leads somewhere. */
+export function follow(event: Event): void {
+  if (event.target) actions.get(event.target)?.();
+}
+
+export interface Key {
+  readonly text: string;
+  readonly colour: string;
+}
+
+const KEY_HEIGHT = 18;
+/** Width of a letter, on average, at the size of the keys. */
+const LETTER = 6.2;
+
+/** What the colours mean, in rows above the frame; `height` is the room they need. */
+export function legend(keys: readonly Key[], frame: Frame, marginLeft: number): { marks: Plot.Markish[]; height: number } {
+  let left = 0;
+  let row = 0;
+  const placed = keys.map((key) => {
+    const width = 22 + LETTER * key.text.length;
+    if (left > 0 && marginLeft + left + width > frame.width) {
+      left = 0;
+      row++;
+    }
+    const place = { ...key, left, row };
+    left += width;
+    return place;
+  });
+  const height = KEY_HEIGHT * (row + 1) + 6;
+  const marks = placed.flatMap(({ text, colour, left, row }) => {
+    const dy = KEY_HEIGHT * row + 8 - height;
+    const anchor = { frameAnchor: "top-left", dy, facet: "super" } as const;
+    return [
+      Plot.dot([0], { ...anchor, dx: left + 5, r: 5, symbol: "square", fill: colour, stroke: frame.soft, strokeWidth: 0.75 }),
+      Plot.text([text], { ...anchor, dx: left + 14, text: String, textAnchor: "start", lineAnchor: "middle", fontSize: 11 }),
+    ];
+  });
+  return { marks, height };
+}
