@@ -61,6 +61,7 @@ function divisor(a: number, b: number): number {
 /** Loads the part of a family and lets the engine prepare the votes of all its points. */
 export async function open({ engine }: Session, next: SurfaceType): Promise<void> {
   busy.value = true;
+  family.value = next;
   try {
     const wanted = PART_OF[next];
     const model = name === wanted && part.value ? part.value : await engine.part(wanted, SAMPLE);
@@ -70,7 +71,6 @@ export async function open({ engine }: Session, next: SurfaceType): Promise<void
     const every = await engine.heights(order(pointCount()));
     const found = await engine.maxima(share.value);
     batch(() => {
-      family.value = next;
       slice.value = info;
       all.value = every;
       maxima.value = found;

@@ -32,6 +32,7 @@ export const truth = computed<readonly Uint32Array[]>(() => part.value?.lists.me
 
 /** Loads the part with `more` points around it; the painting stays. */
 export async function load({ engine }: Session, more: number): Promise<void> {
+  rest.value = more;
   const loaded = await engine.niche(more);
   const count = loaded.positions.length / 3;
   own = count - more;
@@ -40,7 +41,6 @@ export async function load({ engine }: Session, more: number): Promise<void> {
   batch(() => {
     part.value = loaded;
     painting.value = kept;
-    rest.value = more;
   });
 }
 
