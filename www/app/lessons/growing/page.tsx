@@ -5,6 +5,7 @@ import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { bytes, segmentColour, segmentTable, SEQUENTIAL, UNSEGMENTED } from "../../view/palette";
 import type { PointView } from "../../view/point-view";
+import { LabelState } from "../../view/types";
 import * as format from "../../ui/format";
 import { Choice } from "../choice";
 import { LessonFrame } from "../frame";
@@ -197,6 +198,7 @@ function colour(view: PointView, what: GrowingStep, own: number, count: number):
     const { variation } = state;
     view.setScalars(0, Float32Array.from(variation.value, place));
     view.setColourMap(0, SEQUENTIAL);
+    view.setStates(0, []);
     view.setLabels(0, labels);
     view.colourByScalar(0, 0, 1);
     return;
@@ -230,6 +232,9 @@ function colour(view: PointView, what: GrowingStep, own: number, count: number):
     for (let point = own; point < count; point += 1) labels[point] = regions + 2;
     table = new Uint8Array([...segmentTable(regions), ...bytes([CHOSEN, GHOST])]);
   }
+  // The rest of the part would hide a region on its far side; hidden points cannot be clicked, so not while choosing.
+  const apart = (what.tools.includes("motion") && state.region.value !== undefined) || (what.shows === "pieces" && state.pieces.value !== undefined);
+  view.setStates(0, apart ? [LabelState.Hidden] : []);
   view.setLabels(0, labels);
   view.setColours(0, table);
   view.colourByLabel(0);

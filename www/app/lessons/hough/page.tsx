@@ -5,6 +5,7 @@ import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { bytes, segmentColour, segmentTable, UNSEGMENTED } from "../../view/palette";
 import type { PointView } from "../../view/point-view";
+import { LabelState } from "../../view/types";
 import * as format from "../../ui/format";
 import { Choice } from "../choice";
 import { LessonFrame } from "../frame";
@@ -59,6 +60,9 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     if (!drawn || !shown) return;
     const found = has("segment") ? state.segmentation.value : undefined;
     const labels = new Uint32Array(shown.positions.length / 3);
+    // Points that did not vote step back; faded points cannot be clicked.
+    const apart = !found && !has("point") && state.cellInfo.value !== undefined && !has("vote") && !has("segment");
+    drawn.setStates(0, apart ? [LabelState.Faded] : []);
     if (found) {
       found.members.forEach((list, place) => list.forEach((index) => (labels[index] = place + 1)));
       drawn.setColours(0, segmentTable(found.members.length));
