@@ -2,6 +2,7 @@ import { render } from "preact";
 import { listen } from "./keyboard/shortcuts";
 import { keepForOffline } from "./offline/register";
 import { KEYS } from "./keyboard/keys";
+import { openData } from "./public/address";
 import { openFirstSample } from "./samples/samples";
 import { heedAddress, openAddress } from "./sharing/share";
 import { App } from "./shell/app";
@@ -20,7 +21,10 @@ if (root) {
   } else {
     render(<App />, root);
     listen(KEYS);
-    void openAddress().then((found) => (found ? undefined : openFirstSample()));
+    void openAddress()
+      .then((found) => (found ? undefined : openFirstSample()))
+      // The sample is there to look at meanwhile, and makes room for what arrives.
+      .then(openData);
   }
 }
 

@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
+import { PublicForm } from "../public/form";
 import { SampleForm } from "../samples/form";
 import { Dialog } from "../ui/dialog";
 import { takeChosen } from "./intake";
@@ -23,6 +24,10 @@ export function AddDialog(): JSX.Element {
           <Chooser label="Choose files or zips" />
           <Chooser label="Choose a folder" folder />
         </div>
+      </section>
+      <section>
+        <h3>Public models by number</h3>
+        <PublicForm onTaken={() => (adding.value = false)} />
       </section>
       <section>
         <h3>A sample part</h3>

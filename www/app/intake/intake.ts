@@ -1,4 +1,4 @@
-// One road in for everything: dropped, chosen, pasted.
+// One road in for everything: dropped, chosen, pasted, downloaded.
 
 import { signal } from "@preact/signals";
 import { notify } from "../state/notices";
@@ -20,6 +20,11 @@ export function takeChosen(list: FileList): Promise<void> {
 /** Takes a text as if it were a file of the given name. */
 export function takeText(path: string, text: string): Promise<void> {
   return take(Promise.resolve({ files: [{ path, data: new Blob([text]) }], refused: [] }));
+}
+
+/** Takes files that the page fetched, as if they had been dropped. */
+export function takeDownloaded(gathered: Gathered): Promise<void> {
+  return take(Promise.resolve(gathered));
 }
 
 async function take(gathering: Promise<Gathered>): Promise<void> {

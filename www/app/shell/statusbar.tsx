@@ -3,6 +3,7 @@
 import type { JSX } from "preact";
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { FittingWork } from "../fit/status";
+import { DownloadProgress } from "../public/progress";
 import { taking } from "../intake/intake";
 import { dismiss, notice } from "../state/notices";
 import { cancelScoring, progress, type Progress } from "../state/scoring";
@@ -16,6 +17,7 @@ export function StatusBar(): JSX.Element {
   const shown = notice.value;
   return (
     <footer class="status">
+      <DownloadProgress id="downloading" />
       <Work />
       <FittingWork />
       <p class="notice" role="status" data-kind={shown?.kind}>

@@ -1,0 +1,225 @@
+// Public models and zips by their address. No test asks the real host: its answers are made here.
+
+import AxeBuilder from "@axe-core/playwright";
+import type { Locator, Page, Route } from "@playwright/test";
+import { zipSync } from "fflate";
+import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
+import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
+
+const PUBLIC = "https://raw.githubusercontent.com/chiararomanengo/Fit4CAD/main/";
+
+test("a training model arrives by its number from the public repository", async ({ page }) => {
+  const files = filesOf("bracket", "PC7");
+  const asked = await serve(page, PUBLIC, training(files));
+  await open(page);
+  expect(asked, "nothing is asked for before Download").toEqual([]);
+  const sheet = await openSheet(page);
+  await sheet.getByRole("radio", { name: /Training set/ }).check();
+  await sheet.getByLabel("Models", { exact: true }).fill("7");
+  await expect(sheet.getByText("1 model, 4 files")).toBeVisible();
+  await sheet.getByRole("button", { name: "Download", exact: true }).click();
+  await expect(page.locator(".models li")).toHaveCount(1);
+  await expect(page.locator(".models li")).toContainText("PC7");
+  await expect(page.locator(".models li")).toContainText("truth only");
+  await expect(sheet).toBeHidden();
+  expect(asked.sort()).toEqual(
+    ["", "_implicit", "_parametric", "_primitives"].map((role) => `dataset/training_set/PC7${role}.txt`).sort(),
+  );
+});
+
+test("test models bring the published results of HT and PG, which are scored", async ({ page }) => {
+  const two = filesOf("bracket", "PC2");
+  const four = filesOf("flange", "PC4");
+  await serve(page, PUBLIC, [...testSet(two), ...testSet(four)]);
+  await open(page);
+  await download(page, "2, 4");
+  await expect(rows(page)).toHaveCount(4);
+  expect(await measuresIn(row(page, "PC2").filter({ hasText: "HT" }))).toEqual(scoreOf(two).mean);
+  // PG publishes no surfaces: its classification is the same, its accuracy cannot be told.
+  const segmentation = scoreOf(two.filter(({ path }) => !/(parametric|implicit)_/.test(path)));
+  expect(await measuresIn(row(page, "PC2").filter({ hasText: "PG" }))).toEqual(segmentation.mean);
+});
+
+test("a missing file is named and the rest is scored", async ({ page, complaints }) => {
+  const lost = "dataset/test_set/pointCloud_parametric/PC3_parametric.txt";
+  const files = testSet(filesOf("bracket", "PC3")).filter(({ path }) => path !== lost);
+  await serve(page, PUBLIC, files);
+  await open(page);
+  const sheet = await download(page, "3");
+  await expect(rows(page)).toHaveCount(2);
+  await expect(sheet.locator(".outcome")).toContainText(`${lost} did not arrive`);
+  await page.keyboard.press("Escape");
+  await page.getByRole("tab", { name: /Diagnostics/ }).click();
+  await expect(page.getByRole("tabpanel")).toContainText(lost);
+  forgive(complaints, /404/);
+});
+
+test("results that were never published are only noted", async ({ page, complaints }) => {
+  const files = testSet(filesOf("bracket", "PC3")).filter(({ path }) => !path.includes("_PG"));
+  await serve(page, PUBLIC, files);
+  await open(page);
+  const sheet = await download(page, "3");
+  await expect(rows(page)).toHaveCount(1);
+  await expect(sheet.locator(".outcome")).toContainText("the models are complete without");
+  await expect(sheet.locator(".outcome li")).toHaveText(/pointCloud_primitives_PG\/PC3_primitives\.txt/);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+  await picture(page, "public models");
+  forgive(complaints, /404/);
+});
+
+test("without a network the page says so", async ({ page, context, complaints }) => {
+  await open(page);
+  await context.setOffline(true);
+  const sheet = await download(page, "1");
+  await expect(sheet.locator(".outcome")).toContainText("You are offline, and raw.githubusercontent.com cannot be reached");
+  await expect(rows(page)).toHaveCount(1);
+  forgive(complaints, /ERR_INTERNET_DISCONNECTED/);
+});
+
+test("numbers that make no sense are explained", async ({ page }) => {
+  await open(page);
+  const sheet = await openSheet(page);
+  const numbers = sheet.getByLabel("Models", { exact: true });
+  const button = sheet.getByRole("button", { name: "Download", exact: true });
+  for (const [text, answer] of [
+    ["", "from 1 to 35"],
+    ["36", "outside this set"],
+    ["0", "outside this set"],
+    ["5-2", "Write 2-5"],
+    ["two", "“two” is no number"],
+  ] as const) {
+    await numbers.fill(text);
+    await expect(sheet.locator("#public-count")).toContainText(answer);
+    await expect(button).toBeDisabled();
+  }
+  await numbers.fill("1 - 3, PC3 9");
+  await expect(sheet.locator("#public-count")).toHaveText("4 models, 32 files");
+  await expect(button).toBeEnabled();
+});
+
+test("a stopped download keeps the models that had arrived", async ({ page }) => {
+  const first = training(filesOf("bracket", "PC1"));
+  await serve(page, PUBLIC, first);
+  // The second model never ends.
+  await page.route(`${PUBLIC}dataset/training_set/PC2*`, () => {});
+  await open(page);
+  const sheet = await openSheet(page);
+  await sheet.getByRole("radio", { name: /Training set/ }).check();
+  await sheet.getByLabel("Models", { exact: true }).fill("1-2");
+  await sheet.getByRole("button", { name: "Download", exact: true }).click();
+  await expect(sheet.getByText("4 of 8 files")).toBeVisible();
+  await sheet.getByRole("button", { name: "Stop the download" }).click();
+  await expect(sheet.locator(".outcome")).toContainText("Download stopped. 1 of 2 taken.");
+  await expect(page.locator(".models li")).toHaveCount(1);
+  await expect(page.locator(".models li")).toContainText("PC1");
+});
+
+test("a copy of the repository on the page's own host takes its place, a foreign one does not", async ({ page, baseURL }) => {
+  const files = filesOf("bracket", "PC5");
+  await serve(page, `${baseURL}copy/`, testSet(files));
+  await page.goto("./?source=copy");
+  await expect(rows(page)).toHaveCount(1);
+  await download(page, "5");
+  await expect(row(page, "PC5")).toHaveCount(2);
+  await page.goto("./?source=https://example.org/copy");
+  await expect(rows(page)).toHaveCount(1);
+  const sheet = await openSheet(page);
+  await expect(sheet.getByRole("alert")).toContainText("own host");
+  await expect(sheet.getByRole("button", { name: "Download", exact: true })).toHaveCount(0);
+});
+
+test("?data= opens a zip of the same host", async ({ page }) => {
+  const files = filesOf("bracket", "PC6");
+  await page.route("**/course/week1.zip", (route) => answer(route, zipOf(files)));
+  await page.goto("./?data=course/week1.zip");
+  await expect(row(page, "PC6")).toBeVisible();
+  await expect(rows(page)).toHaveCount(1);
+  expect(await measuresIn(row(page, "PC6"))).toEqual(scoreOf(files).mean);
+});
+
+test("?data= opens a zip of raw GitHub", async ({ page }) => {
+  await page.route("https://raw.githubusercontent.com/somebody/results/main/all.zip", (route) =>
+    answer(route, zipOf(filesOf("bracket", "PC6"))),
+  );
+  await page.goto("./?data=https://raw.githubusercontent.com/somebody/results/main/all.zip");
+  await expect(row(page, "PC6")).toBeVisible();
+});
+
+for (const [what, address, why] of [
+  ["another host", "https://example.org/all.zip", "own host"],
+  ["a host that only begins alike", "https://raw.githubusercontent.com.example.org/all.zip", "own host"],
+  ["another scheme", "data:application/zip;base64,UEsFBg.zip", "own host"],
+  ["what is no zip", "index.html", "end in .zip"],
+] as const) {
+  test(`?data= refuses ${what}, says why and asks for nothing`, async ({ page }) => {
+    const asked: string[] = [];
+    page.on("request", (request) => asked.push(request.url()));
+    await page.goto(`./?data=${encodeURIComponent(address)}`);
+    await expect(page.locator(".notice")).toContainText(why);
+    await expect(rows(page)).toHaveCount(1);
+    expect(asked).not.toContain(new URL(address, page.url()).href);
+  });
+}
+
+test("?data= of a zip that is not there says so", async ({ page }) => {
+  await page.goto("./?data=nowhere.zip");
+  await expect(page.locator(".notice")).toContainText("has no such file");
+});
+
+async function openSheet(page: Page): Promise<Locator> {
+  await page.getByRole("button", { name: "Add data" }).click();
+  return page.getByRole("dialog", { name: "Add data" });
+}
+
+/** Downloads models of the test set. */
+async function download(page: Page, numbers: string): Promise<Locator> {
+  const sheet = await openSheet(page);
+  await sheet.getByLabel("Models", { exact: true }).fill(numbers);
+  await sheet.getByRole("button", { name: "Download", exact: true }).click();
+  return sheet;
+}
+
+/** Stands in for a host; the paths asked for are noted. */
+async function serve(page: Page, base: string, files: readonly Fixture[]): Promise<string[]> {
+  const texts = new Map(files.map(({ path, text }) => [path, text]));
+  const asked: string[] = [];
+  await page.route(`${base}**`, (route) => {
+    const path = route.request().url().slice(base.length);
+    asked.push(path);
+    return answer(route, texts.get(path));
+  });
+  return asked;
+}
+
+function answer(route: Route, body: string | Buffer | undefined): Promise<void> {
+  const headers = { "access-control-allow-origin": "*" };
+  return route.fulfill(body === undefined ? { status: 404, headers } : { body, headers, contentType: "text/plain" });
+}
+
+/** The layout of the training set: everything in one folder, no results. */
+function training(files: readonly Fixture[]): Fixture[] {
+  return files
+    .filter(({ path }) => !path.includes(METHOD))
+    .map(({ path, text }) => ({ path: `dataset/training_set/${path.split("/").at(-1)}`, text }));
+}
+
+/** The layout of the test set, with the same results published for HT and, without surfaces, for PG. */
+function testSet(files: readonly Fixture[]): Fixture[] {
+  return files.flatMap(({ path, text }) => {
+    if (!path.includes(METHOD)) return [{ path: `dataset/test_set/${path}`, text }];
+    const of = (method: string) => ({ path: `MATLAB/${path.replace(METHOD, method)}`, text });
+    return path.startsWith("pointCloud_primitives") ? [of("HT"), of("PG")] : [of("HT")];
+  });
+}
+
+function zipOf(files: readonly Fixture[]): Buffer {
+  const entries = files.map(({ path, text }) => [path, new TextEncoder().encode(text)] as const);
+  return Buffer.from(zipSync(Object.fromEntries(entries)));
+}
+
+/** The browser itself logs every request that fails; here that is what was wanted. */
+function forgive(complaints: string[], what: RegExp): void {
+  const others = complaints.filter((text) => !what.test(text));
+  complaints.splice(0, complaints.length, ...others);
+}
