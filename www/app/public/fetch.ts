@@ -32,7 +32,7 @@ export async function fetchFile(address: URL, { limit, signal, onPiece }: FetchO
     if (!response.ok) return { kind: "failed", reason: refusalOf(response) };
     // Some hosts answer with their start page where they have no such file.
     if (response.headers.get("content-type")?.startsWith("text/html")) return { kind: "missing" };
-    // The length of what is sent, which says nothing of the content where it is compressed.
+    // Of what is sent; it says nothing of the content where that is compressed.
     const length = response.headers.has("content-encoding") ? 0 : Number(response.headers.get("content-length"));
     const pieces: Uint8Array<ArrayBuffer>[] = [];
     let size = 0;

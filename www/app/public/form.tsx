@@ -31,9 +31,10 @@ export function PublicForm({ onTaken }: { onTaken: () => void }): JSX.Element {
       }}
     >
       <p>
-        The 225 models of the benchmark, from {base.address.host}. Only when you press Download does the page ask that
-        host for the chosen files, a megabyte or less per model. It sends nothing: what you drop, choose or paste never
-        leaves your machine.
+        The 225 models of the benchmark, from {base.address.host}, about a megabyte each. Only when you press Download
+        does the page ask that host for the chosen files. Otherwise it uses the network for its own parts alone, and
+        for the zip that <code>?data=</code> in its address names. It sends nothing: what you drop, choose or paste
+        never leaves your machine.
       </p>
       <div class="row">
         <fieldset class="switch">
