@@ -123,12 +123,12 @@ function draw(frame: Frame, all: readonly Cell[]): SVGSVGElement {
   const domains = { x: [...new Set(all.map(({ match }) => match))], y: [...new Set(all.map(({ truth }) => truth))] };
   return drawn(frame, {
     height: 70 + 38 * rows,
-    marginLeft: 62,
+    marginLeft: 84,
     marginTop: 40,
     marginBottom: 8,
     marginRight: 8,
     x: { domain: domains.x, axis: "top", label: "Type of the match →", tickSize: 0, padding: 0.04 },
-    y: { domain: domains.y, label: "↓ True type", tickSize: 0, padding: 0.04 },
+    y: { domain: domains.y, label: "True type", tickSize: 0, padding: 0.04 },
     marks: [
       Plot.cell(all, { ...place, fill: "none", stroke: frame.line }),
       Plot.cell(filled, {

@@ -12,7 +12,7 @@ import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
 import { BINS, blocksOf, largest, type Block } from "./bins";
 import { Chart } from "./figure";
-import { drawn, leading, Plot, type Frame } from "./plot";
+import { drawn, leading, Plot, tick, type Frame } from "./plot";
 
 interface Coloured extends Block {
   readonly side: Side;
@@ -142,7 +142,7 @@ function draw(frame: Frame, { limit, halves }: Histogram): SVGSVGElement {
     fy: { domain: names, axis: null, padding: 0.12 },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
-      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: "~g" }),
+      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: tick }),
       Plot.axisY({ label: null, ticks: 4, tickFormat: "~s" }),
       Plot.rect(blocks, {
         fy: "side",

@@ -53,6 +53,11 @@ export function drawn(frame: Frame, options: Plot.PlotOptions): SVGSVGElement {
   return svg;
 }
 
+/** A number at a tick, without the digits that binary fractions leave. */
+export function tick(value: number): string {
+  return String(Number(value.toPrecision(6)));
+}
+
 type Go = () => void;
 
 const actions = new WeakMap<EventTarget, Go>();
@@ -84,6 +89,8 @@ export interface Key {
 }
 
 const KEY_HEIGHT = 18;
+/** Between the keys and the frame: room for a figure on top of a bar. */
+const KEY_GAP = 14;
 /** Width of a letter, on average, at the size of the keys. */
 const LETTER = 6.2;
 
@@ -101,7 +108,7 @@ export function legend(keys: readonly Key[], frame: Frame, marginLeft: number): 
     left += width;
     return place;
   });
-  const height = KEY_HEIGHT * (row + 1) + 6;
+  const height = KEY_HEIGHT * (row + 1) + KEY_GAP;
   const marks = placed.flatMap(({ text, colour, left, row }) => {
     const dy = KEY_HEIGHT * row + 8 - height;
     const anchor = { frameAnchor: "top-left", dy, facet: "super" } as const;

@@ -80,7 +80,7 @@ function draw(frame: Frame, rows: readonly TruePrimitive[]): SVGSVGElement {
   return drawn(frame, {
     height: 270 + keys.height,
     marginLeft,
-    marginTop: keys.height + 12,
+    marginTop: keys.height + 4,
     marginBottom: 38,
     marginRight: 16,
     x: { type: "log", label: "Points →", nice: true },

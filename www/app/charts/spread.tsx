@@ -9,7 +9,7 @@ import { protocol } from "../state/settings";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { Chart } from "./figure";
-import { drawn, leading, legend, Plot, type Frame } from "./plot";
+import { drawn, leading, legend, Plot, tick, type Frame } from "./plot";
 import { goTo, isSelected, methodColour } from "./scope";
 
 interface Box {
@@ -92,13 +92,13 @@ function draw(frame: Frame, measures: readonly Measure[], boxes: readonly Box[],
     marginLeft,
     marginTop: keys.height + 4,
     marginBottom: 24,
-    fx: { domain: measures, label: null, padding: 0.12, axis: "bottom" },
+    fx: { domain: measures, label: null, padding: 0.12, axis: null },
     x: { domain: methods, axis: null, padding: 0.15 },
     y: { label: null, zero: true, nice: true, ...(measures.every(isShare) ? { domain: [0, 1] } : {}) },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1 }),
       Plot.axisFx({ anchor: "bottom", label: null, fontSize: 11 }),
-      Plot.axisY({ label: null, ...(measures.every(isShare) ? {} : { tickFormat: "~g" }) }),
+      Plot.axisY({ label: null, ...(measures.every(isShare) ? {} : { tickFormat: tick }) }),
       Plot.ruleX(boxes, { ...column, y1: ({ over }: Box) => over.min, y2: ({ over }: Box) => over.max, stroke: frame.ink }),
       Plot.barY(boxes, {
         ...column,

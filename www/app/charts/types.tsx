@@ -99,7 +99,7 @@ function draw(frame: Frame, slices: readonly Slice[], bars: readonly Bar[], seri
   return drawn(frame, {
     height: 240 + keys.height,
     marginLeft,
-    marginTop: keys.height + 14,
+    marginTop: keys.height + 4,
     marginBottom: 24,
     fx: { domain: bars.map(({ type }) => type), label: null, padding: 0.12 },
     x: { domain: series, axis: null, padding: 0.1 },
