@@ -104,3 +104,6 @@ pub fn fit(
         scale,
     })
 }
+
+#[cfg(test)]
+mod tests;

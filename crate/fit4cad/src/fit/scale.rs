@@ -89,18 +89,23 @@ fn share_of_exact_patches(
     tolerance: f64,
     is_finest: bool,
 ) -> f64 {
-    let kinds = [
-        SurfaceType::Plane,
-        SurfaceType::Cylinder,
-        SurfaceType::Sphere,
-    ];
+    // Cones and tori take longer to try; at the finest level a cloud may be nothing else.
+    let kinds: &[SurfaceType] = if is_finest {
+        &SurfaceType::ALL
+    } else {
+        &[
+            SurfaceType::Plane,
+            SurfaceType::Cylinder,
+            SurfaceType::Sphere,
+        ]
+    };
     let stride = points.len().div_ceil(SAMPLES / 4).max(1);
     let (mut exact, mut all) = (0u32, 0u32);
     for index in (0u32..).take(points.len()).step_by(stride) {
         let patch = patch(points, graph, index);
         all += 1;
         let is_exact = |patch: &[Point], needed: usize| {
-            kinds.into_iter().any(|kind| {
+            kinds.iter().any(|&kind| {
                 local::starts(kind, patch)
                     .iter()
                     .any(|start| local::polish(start, patch, tolerance, needed).is_some())

@@ -1,0 +1,163 @@
+//! Whole fits of clouds whose truth is known by construction.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+
+use super::*;
+use crate::cloud::{Point, Vector};
+use crate::surface::SurfaceType;
+
+/// A plate of 20 × 20 × 4 with a round boss on top, sampled with spacing one, edges included.
+fn boss_on_a_plate() -> Vec<Point> {
+    let mut points = Vec::new();
+    for i in 0..=20 {
+        for j in 0..=20 {
+            let (x, y) = (f64::from(i) - 10.0, f64::from(j) - 10.0);
+            points.push(Point::new(x, y, -4.0));
+            if x.hypot(y) > 5.4 {
+                points.push(Point::new(x, y, 0.0));
+            }
+            if x.hypot(y) < 4.6 {
+                points.push(Point::new(x, y, 6.0));
+            }
+            if x.abs() == 10.0 || y.abs() == 10.0 {
+                points.extend((1..4).map(|z| Point::new(x, y, -f64::from(z))));
+            }
+        }
+    }
+    for turn in 0..32 {
+        let (sin, cos) = (f64::from(turn) * std::f64::consts::TAU / 32.0).sin_cos();
+        points.extend((0..=6).map(|z| Point::new(5.0 * cos, 5.0 * sin, f64::from(z))));
+    }
+    points
+}
+
+fn fitted(points: &[Point], method: Method, seed: u64) -> Segmentation {
+    let cloud = Cloud::new(points.to_vec());
+    fit(&cloud, method, &Parameters::default(), seed, &mut ())
+        .unwrap()
+        .segmentation
+}
+
+const METHODS: [Method; 2] = [Method::Hough, Method::Growing];
+
+#[test]
+fn a_boss_on_a_plate_is_seven_planes_and_a_cylinder() {
+    let points = boss_on_a_plate();
+    for method in METHODS {
+        let found = fitted(&points, method, 1);
+        let count = |kind| {
+            found
+                .primitives
+                .iter()
+                .filter(|primitive| primitive.kind == Some(kind))
+                .count()
+        };
+        assert_eq!(
+            (count(SurfaceType::Plane), count(SurfaceType::Cylinder)),
+            (7, 1),
+            "{method:?}"
+        );
+        let cylinder = found
+            .primitives
+            .iter()
+            .find(|p| p.kind == Some(SurfaceType::Cylinder))
+            .unwrap();
+        // All of its seven circles, the outer two being edges that the planes list as well.
+        assert_eq!(cylinder.points.len(), 7 * 32, "{method:?}");
+        for primitive in &found.primitives {
+            let surface = primitive.surface.unwrap();
+            assert!(
+                primitive
+                    .points
+                    .iter()
+                    .all(|&i| surface.distance(&points[i as usize]) < 1e-9)
+            );
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_answer() {
+    let points = boss_on_a_plate();
+    for method in METHODS {
+        assert_eq!(fitted(&points, method, 7), fitted(&points, method, 7));
+    }
+}
+
+#[test]
+fn motion_and_scale_leave_the_labels_as_they_are() {
+    let points = boss_on_a_plate();
+    let turn = UnitQuaternion::from_euler_angles(0.5, -0.3, 0.9);
+    let motion = Isometry3::from_parts(Translation3::new(70.0, -30.0, 20.0), turn);
+    let moved: Vec<Point> = points.iter().map(|p| motion * (p * 0.25)).collect();
+    let lists = |segmentation: Segmentation| {
+        let mut lists: Vec<Vec<u32>> = segmentation
+            .primitives
+            .into_iter()
+            .map(|primitive| primitive.points)
+            .collect();
+        lists.sort();
+        lists
+    };
+    for method in METHODS {
+        assert_eq!(
+            lists(fitted(&points, method, 3)),
+            lists(fitted(&moved, method, 3))
+        );
+    }
+}
+
+#[test]
+fn a_wavy_sheet_stays_unsegmented() {
+    let points: Vec<Point> = (0..2500)
+        .map(|i| {
+            let (x, y) = (f64::from(i % 50), f64::from(i / 50));
+            Point::new(
+                x,
+                y,
+                3.0 * (0.31 * x).sin() * (0.23 * y + 0.01 * x * x / 5.0).cos(),
+            )
+        })
+        .collect();
+    for method in METHODS {
+        let found = fitted(&points, method, 1);
+        let claimed: usize = found.primitives.iter().map(|p| p.points.len()).sum();
+        assert!(claimed <= 25, "{method:?}: {claimed} of 2500");
+    }
+}
+
+#[test]
+fn clouds_of_nothing_much_are_fitted_without_harm() {
+    let line: Vec<Point> = (0..50)
+        .map(|i| Point::from(Vector::x() * f64::from(i)))
+        .collect();
+    for points in [
+        Vec::new(),
+        vec![Point::origin()],
+        vec![Point::origin(); 40],
+        line,
+    ] {
+        for method in METHODS {
+            assert!(fitted(&points, method, 1).primitives.len() <= 1);
+        }
+    }
+}
+
+#[test]
+fn an_observer_can_stop_a_fit() {
+    struct Impatient;
+    impl Observer for Impatient {
+        fn progress(&mut self, stage: Stage, _: f64) -> Result<(), Cancelled> {
+            if stage == Stage::Find {
+                Err(Cancelled)
+            } else {
+                Ok(())
+            }
+        }
+    }
+    let cloud = Cloud::new(boss_on_a_plate());
+    for method in METHODS {
+        let outcome = fit(&cloud, method, &Parameters::default(), 1, &mut Impatient);
+        assert_eq!(outcome, Err(Cancelled));
+    }
+}
