@@ -6,6 +6,8 @@ import { zipSync } from "fflate";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
 
+/** As raw GitHub answers: to anyone. */
+const CORS = { "access-control-allow-origin": "*" };
 const PUBLIC = "https://raw.githubusercontent.com/chiararomanengo/Fit4CAD/main/";
 
 test("a training model arrives by its number from the public repository", async ({ page }) => {
@@ -75,6 +77,21 @@ test("without a network the page says so", async ({ page, context, complaints })
   await expect(sheet.locator(".outcome")).toContainText("You are offline, and raw.githubusercontent.com cannot be reached");
   await expect(rows(page)).toHaveCount(1);
   forgive(complaints, /ERR_INTERNET_DISCONNECTED/);
+});
+
+test("a file beyond all measure is left, as is one the host refuses, and the rest is taken", async ({ page, complaints }) => {
+  const files = testSet(filesOf("bracket", "PC3"));
+  await serve(page, PUBLIC, files);
+  await page.route(`${PUBLIC}dataset/test_set/pointCloud_implicit/*`, (route) => answer(route, Buffer.alloc(33 * 2 ** 20, " ")));
+  await page.route(`${PUBLIC}MATLAB/pointCloud_primitives_PG/*`, (route) => route.fulfill({ status: 429, headers: CORS }));
+  await open(page);
+  const sheet = await download(page, "3");
+  const left = sheet.locator(".outcome li");
+  await expect(left.filter({ hasText: "pointCloud_implicit/PC3" })).toContainText("larger than 32 MiB");
+  await expect(left.filter({ hasText: "PG" })).toContainText("429 (too many requests");
+  await expect(row(page, "PC3")).toHaveCount(1);
+  await expect(row(page, "PC3")).toContainText("HT");
+  forgive(complaints, /429/);
 });
 
 test("numbers that make no sense are explained", async ({ page }) => {
@@ -193,8 +210,7 @@ async function serve(page: Page, base: string, files: readonly Fixture[]): Promi
 }
 
 function answer(route: Route, body: string | Buffer | undefined): Promise<void> {
-  const headers = { "access-control-allow-origin": "*" };
-  return route.fulfill(body === undefined ? { status: 404, headers } : { body, headers, contentType: "text/plain" });
+  return route.fulfill(body === undefined ? { status: 404, headers: CORS } : { body, headers: CORS, contentType: "text/plain" });
 }
 
 /** The layout of the training set: everything in one folder, no results. */
