@@ -6,7 +6,7 @@ import { findings as table } from "../formats/findings.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { collect, reason, unusable } from "./inputs.mjs";
-import { eachModel } from "./models.mjs";
+import { eachModel, isOfTruth } from "./models.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, readArguments } from "./usage.mjs";
 
@@ -30,7 +30,7 @@ export async function check(args) {
   const problems = [...inputs.diagnostics];
   const writer = values.write === undefined ? undefined : new Writer(values.write, problems);
   const show = (text) => progress.show(`checking ${text}`);
-  const unread = eachModel(engine, inputs.files, { truthOnly: true, progress: show }, (model) => {
+  const unread = eachModel(engine, inputs.files, { wanted: isOfTruth, progress: show }, (model) => {
     const { name, hasTruth } = model.info();
     audits.push(model.audit());
     if (!hasTruth) {

@@ -1,7 +1,8 @@
-// From a list of files to reports: groups them into models, reads and scores one model at a time.
+// From a list of files to reports, one model at a time.
 
 import { createHash } from "node:crypto";
-import { readInputs, unusable } from "./inputs.mjs";
+import { unusable } from "./inputs.mjs";
+import { eachModel, isOfTruth } from "./models.mjs";
 
 /**
  * Scores every submission among the files; with `self`, the truth against itself instead. The
@@ -10,29 +11,23 @@ import { readInputs, unusable } from "./inputs.mjs";
  * each with the engine's version and the files it was made of.
  */
 export function evaluate(engine, files, { protocol, overrides = {}, self = false, progress = () => {} }) {
-  const grouping = engine.group(files.map(({ path }) => path), overrides);
-  const diagnostics = grouping.unplaced.map(({ path, reason: why }) =>
-    unusable(path, why, "", "warning"),
-  );
-  const byPath = new Map(files.map((file) => [file.path, file]));
   const results = [];
+  const found = [];
   const version = engine.version();
-  grouping.models.forEach((group, index) => {
-    progress(`${index + 1} of ${grouping.models.length}: ${group.name}`);
-    const wanted = group.files.filter(({ method }) => !self || method === undefined);
-    const inputs = readInputs(wanted, byPath, diagnostics);
-    const scored = scoreModel(engine.Model.read(group.name, inputs), { protocol, self });
+  const wanted = self ? isOfTruth : undefined;
+  const unread = eachModel(engine, files, { wanted, overrides, progress }, (model, inputs) => {
+    const { reports, diagnostics } = scoreModel(model, { protocol, self });
     const hashed = inputs.map(hash);
     results.push(
-      ...scored.reports.map((report) => ({
+      ...reports.map((report) => ({
         ...report,
         engine: version,
         files: hashed.filter(({ method }) => method === undefined || method === report.method),
       })),
     );
-    diagnostics.push(...scored.diagnostics);
+    found.push(...diagnostics);
   });
-  return { results, diagnostics };
+  return { results, diagnostics: [...unread, ...found] };
 }
 
 function hash({ bytes, ...file }) {
@@ -40,25 +35,19 @@ function hash({ bytes, ...file }) {
 }
 
 function scoreModel(model, { protocol, self }) {
-  try {
-    const { name, hasTruth, methods, diagnostics } = model.info();
-    const about = (message, hint, severity) => unusable(name, message, hint, severity);
-    if (!hasTruth) {
-      const hint = `Give ${name}_primitives.txt of the benchmark as well`;
-      const missing = about("there is no ground truth to score against", hint);
-      return { reports: [], diagnostics: [...diagnostics, missing] };
-    }
-    if (!self && methods.length === 0) {
-      const hint =
-        "Give a method's files in a folder named after it (pointCloud_primitives_MINE), " +
-        "or score the truth against itself with --self";
-      const missing = about("there is no submission to score", hint, "note");
-      return { reports: [], diagnostics: [...diagnostics, missing] };
-    }
-    // No method: the truth itself.
-    const submissions = self ? [undefined] : methods;
-    return { reports: submissions.map((method) => model.score(method, protocol)), diagnostics };
-  } finally {
-    model.free();
+  const { name, hasTruth, methods, diagnostics } = model.info();
+  const unscored = (...about) => ({ reports: [], diagnostics: [...diagnostics, unusable(name, ...about)] });
+  if (!hasTruth) {
+    const hint = `Give ${name}_primitives.txt of the benchmark as well`;
+    return unscored("there is no ground truth to score against", hint);
   }
+  if (!self && methods.length === 0) {
+    const hint =
+      "Give a method's files in a folder named after it (pointCloud_primitives_MINE), " +
+      "or score the truth against itself with --self";
+    return unscored("there is no submission to score", hint, "note");
+  }
+  // No method: the truth itself.
+  const submissions = self ? [undefined] : methods;
+  return { reports: submissions.map((method) => model.score(method, protocol)), diagnostics };
 }

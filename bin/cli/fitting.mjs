@@ -1,6 +1,6 @@
-// From a list of files to fitted models: groups them, reads and fits one cloud at a time.
+// From a list of files to fitted models, one cloud at a time.
 
-import { readInputs, unusable } from "./inputs.mjs";
+import { eachModel } from "./models.mjs";
 
 /**
  * Fits the cloud of every model among the files, in the engine's order of models. Gives
@@ -8,31 +8,23 @@ import { readInputs, unusable } from "./inputs.mjs";
  * that they need not be held. What `take` throws ends the run.
  */
 export function fitAll(engine, files, { method, parameters, seed, take, progress = () => {} }) {
-  const grouping = engine.group(files.map(({ path }) => path));
-  const diagnostics = grouping.unplaced.map(({ path, reason }) => unusable(path, reason, "", "warning"));
-  const byPath = new Map(files.map((file) => [file.path, file]));
   const models = [];
-  grouping.models.forEach((group, index) => {
-    const place = `${index + 1} of ${grouping.models.length}: ${group.name}`;
-    progress(place);
-    const clouds = group.files.filter(({ role }) => role === "cloud");
-    const model = engine.Model.read(group.name, readInputs(clouds, byPath, diagnostics));
-    try {
-      const info = model.info();
-      diagnostics.push(...info.diagnostics);
-      if (info.points === 0) {
-        return;
-      }
-      const heard = throttled((stage, share) => progress(`${place}, ${stage} ${Math.round(100 * share)} %`));
-      const { name, seconds } = fitModel(model, { method, parameters, seed, progress: heard });
-      take(group.name, name, model.write(name));
-      models.push({ model: group.name, points: info.points, seconds, primitives: listed(model, name) });
-    } finally {
-      model.free();
+  const found = [];
+  const unread = eachModel(engine, files, { wanted: isCloud, progress }, (model, _, place) => {
+    const info = model.info();
+    found.push(...info.diagnostics);
+    if (info.points === 0) {
+      return;
     }
+    const heard = throttled((stage, share) => progress(`${place}, ${stage} ${Math.round(100 * share)} %`));
+    const { name, seconds } = fitModel(model, { method, parameters, seed, progress: heard });
+    take(info.name, name, model.write(name));
+    models.push({ model: info.name, points: info.points, seconds, primitives: listed(model, name) });
   });
-  return { models, diagnostics };
+  return { models, diagnostics: [...unread, ...found] };
 }
+
+const isCloud = ({ role }) => role === "cloud";
 
 /** Fits one model and takes the time: `{ name, seconds }`, the name being the submission's. */
 export function fitModel(model, { method, parameters = {}, seed = 1, progress }) {

@@ -4,7 +4,7 @@ import { STATISTICS } from "../formats/statistics.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { collect } from "./inputs.mjs";
-import { eachModel } from "./models.mjs";
+import { eachModel, isOfTruth } from "./models.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, readArguments } from "./usage.mjs";
 
@@ -24,7 +24,7 @@ export async function stats(args) {
   const models = [];
   const problems = [...inputs.diagnostics];
   const show = (text) => progress.show(`counting ${text}`);
-  const unread = eachModel(engine, inputs.files, { truthOnly: true, progress: show }, (model) => {
+  const unread = eachModel(engine, inputs.files, { wanted: isOfTruth, progress: show }, (model) => {
     const { diagnostics } = model.info();
     problems.push(...diagnostics.filter(({ severity }) => severity === "error"));
     models.push(model.statistics());
