@@ -138,14 +138,10 @@ pub struct Correction {
 
 impl From<&audit::Correction> for Correction {
     fn from(correction: &audit::Correction) -> Self {
-        let name = |form| match form {
-            Form::Parametric => "parametric",
-            Form::Implicit => "implicit",
-        };
         Self {
             primitive: correction.primitive,
-            form: name(correction.form),
-            from: name(correction.from),
+            form: correction.form.name(),
+            from: correction.from.name(),
         }
     }
 }

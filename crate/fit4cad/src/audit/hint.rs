@@ -8,13 +8,6 @@ use crate::format::Form;
 use crate::model::{Coefficients, Primitive, Segmentation};
 use crate::surface::Surface;
 
-pub(super) const fn name(form: Form) -> &'static str {
-    match form {
-        Form::Parametric => "parametric",
-        Form::Implicit => "implicit",
-    }
-}
-
 /// Why one form is off while the other is not, or not the same.
 pub(super) fn wrong_form(
     cloud: &Cloud,
@@ -48,7 +41,7 @@ pub(super) fn wrong_form(
     if let Some(right) = right {
         hints.push(format!(
             "The {} form fits; convert it exactly",
-            name(right.form)
+            right.form.name()
         ));
     }
     hints.join(". ")

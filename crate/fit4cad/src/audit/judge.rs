@@ -33,8 +33,7 @@ impl Verdict {
             stray.clear();
         }
         let far = |distances: &[f64]| {
-            let mean = without(distances, &stray).map_or(0.0, |accuracy| accuracy.d_haus);
-            is_far(mean)
+            without(distances, &stray).is_some_and(|accuracy| is_far(accuracy.d_haus))
         };
         let off = measured.forms.iter().filter(|form| far(&form.distances));
         let off: Vec<Form> = off.map(|form| form.form).collect();
@@ -204,7 +203,7 @@ fn severity_of(distance: f64) -> Severity {
 }
 
 fn no_member(form: &MeasuredForm, primitive: &Primitive, verdict: &Verdict) -> (String, String) {
-    let name = hint::name(form.form);
+    let name = form.form.name();
     let kind = primitive
         .kind
         .map_or_else(String::new, |kind| kind.name().to_lowercase());

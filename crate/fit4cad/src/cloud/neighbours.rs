@@ -161,27 +161,6 @@ impl KdTree {
         self.visit_near_zero(2 * node + 1, start, middle, tolerance, distance, visit);
         self.visit_near_zero(2 * node + 2, middle, end, tolerance, distance, visit);
     }
-
-    /// All points within `radius` of `query`, nearest first.
-    pub fn within(&self, query: &Point, radius: f64) -> Vec<Neighbour> {
-        let mut found = Vec::new();
-        self.near_zero(
-            radius,
-            |point| (point - query).norm(),
-            |index| {
-                found.push(index);
-            },
-        );
-        let mut slots: Vec<Neighbour> = Vec::with_capacity(found.len());
-        self.nearest(
-            query,
-            found.len(),
-            radius * (1.0 + 1e-12),
-            |_| true,
-            &mut slots,
-        );
-        slots
-    }
 }
 
 /// State of one search for the nearest points.
@@ -363,13 +342,14 @@ mod tests {
         let tree = KdTree::new(&points);
         let graph = Neighbourhoods::new(&points, &tree, 16);
         assert_eq!((graph.count(), graph.of(1)), (1, [0].as_slice()));
-        assert_eq!(tree.within(&points[0], 0.5).len(), 1);
     }
 
     #[test]
     fn an_empty_cloud_has_no_neighbours() {
         let tree = KdTree::new(&[]);
-        assert!(tree.within(&Point::origin(), 1.0).is_empty());
+        let mut found = Vec::new();
+        tree.nearest(&Point::origin(), 3, 1.0, |_| true, &mut found);
+        assert!(found.is_empty());
         assert_eq!(Neighbourhoods::new(&[], &tree, 8).count(), 0);
     }
 }

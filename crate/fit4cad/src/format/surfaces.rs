@@ -19,6 +19,14 @@ pub enum Form {
 }
 
 impl Form {
+    /// The word for it in the names of files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Parametric => "parametric",
+            Self::Implicit => "implicit",
+        }
+    }
+
     /// How many numbers a vector of that type has.
     pub const fn len(self, kind: SurfaceType) -> usize {
         match self {
@@ -248,10 +256,7 @@ impl<'a> RawEntry<'a> {
             findings.add(&NO_TYPE, header);
             return (None, Coefficients::Malformed);
         };
-        let known = SurfaceType::ALL
-            .into_iter()
-            .find(|kind| kind.name().as_bytes().eq_ignore_ascii_case(name));
-        let Some(kind) = known else {
+        let Some(kind) = SurfaceType::from_name(name) else {
             findings.add_found(&OTHER_TYPE, name_at, || scan::token(bytes, name_at));
             return (None, Coefficients::Malformed);
         };

@@ -66,9 +66,10 @@ impl SurfaceType {
         }
     }
 
-    /// The type of that name, as the files spell it.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    /// The type of that name, in any case.
+    pub fn from_name(name: &[u8]) -> Option<Self> {
+        let is_named = |kind: &Self| kind.name().as_bytes().eq_ignore_ascii_case(name);
+        Self::ALL.into_iter().find(is_named)
     }
 
     /// How many numbers its parametric vector has (paper, appendix "Parametric representations").
