@@ -41,8 +41,8 @@ export async function check(args) {
   });
   progress.clear();
 
-  problems.push(...unread);
-  for (const problem of problems) {
+  const told = [...problems, ...unread];
+  for (const problem of told) {
     warn(inOneLine(problem));
   }
   if (audits.length === 0) {
@@ -53,7 +53,7 @@ export async function check(args) {
   }
   await print(format === "json" ? `${JSON.stringify(audits, null, 2)}\n` : table(audits));
   const wrong = audits.some(({ findings }) => findings.some(({ severity }) => severity !== "note"));
-  const failed = problems.some(({ severity }) => severity === "error");
+  const failed = told.some(({ severity }) => severity === "error");
   return audits.length === 0 || wrong || failed ? 1 : 0;
 }
 

@@ -81,7 +81,9 @@ function visit(path, files, diagnostics) {
   for (const entry of listing.entries) {
     files.set(`${key}\0${entry.path}`, { path: `${path}/${entry.path}`, read: entry.read });
   }
-  diagnostics.push(...listing.problems.map(({ path: at, message }) => unusable(join(path, at), message)));
+  for (const { path: at, message } of listing.problems) {
+    diagnostics.push(unusable(join(path, at), message));
+  }
 }
 
 function visitFolder(folder, files, diagnostics) {

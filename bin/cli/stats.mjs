@@ -31,13 +31,13 @@ export async function stats(args) {
   });
   progress.clear();
 
-  problems.push(...unread);
-  for (const problem of problems) {
+  const told = [...problems, ...unread];
+  for (const problem of told) {
     warn(inOneLine(problem));
   }
   if (models.length === 0) {
     warn("fit4cad stats: there is no model among the files; see fit4cad stats --help.");
   }
   await print(STATISTICS[format]({ set: engine.datasetStatistics(models), models }));
-  return models.length === 0 || problems.some(({ severity }) => severity === "error") ? 1 : 0;
+  return models.length === 0 || told.some(({ severity }) => severity === "error") ? 1 : 0;
 }

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
+import { zipSync } from "fflate";
 import { PUBLIC_FILES, WITHOUT_PUBLIC_FILES, fit4cad, folder, twoPlanes } from "./support.mjs";
 
 /** Two models; of the second one half of the points are in no primitive. */
@@ -45,6 +46,17 @@ test("CSV has one row per model", (t) => {
     "PC2,18,1,1,0,0,0,0,0,0.5,0",
     "",
   ]);
+});
+
+test("however many files have no place, each is told and nothing breaks", (t) => {
+  const orphans = (set) => Array.from({ length: 60_000 }, (_, index) => [`${set}/PC${index}_primitives.txt`, new Uint8Array()]);
+  const zip = (set) => zipSync(Object.fromEntries(orphans(set)), { level: 0 });
+  const root = folder(t, { "1.zip": zip(1), "2.zip": zip(2), "3.zip": zip(3) });
+  for (const command of ["stats", "check", "score", "fit"]) {
+    const { code, err } = fit4cad(command, root, ...(command === "fit" ? ["--method", "ht"] : []));
+    const told = err.match(/: warning: there is no cloud PC\d+\.txt for it\n/g);
+    assert.deepEqual([code, told?.length], [1, 180_000], command);
+  }
 });
 
 test("nothing to count is a failure", (t) => {
