@@ -11,6 +11,12 @@ pub struct Bounds {
     pub max: Point,
 }
 
+impl Default for Bounds {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
 impl Bounds {
     /// The box of nothing.
     pub const EMPTY: Self = Self {

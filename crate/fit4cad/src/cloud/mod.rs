@@ -17,12 +17,15 @@ pub type Direction = nalgebra::Unit<Vector>;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cloud {
     points: Vec<Point>,
+    /// Kept, because measures ask for it once for every primitive.
+    bounds: Bounds,
 }
 
 impl Cloud {
-    /// A cloud of the given points, kept in their order.
+    /// A cloud of the given points, kept in their order. O(n).
     pub fn new(points: Vec<Point>) -> Self {
-        Self { points }
+        let bounds = Bounds::of(&points);
+        Self { points, bounds }
     }
 
     /// The points, index 0 being the file's point 1.
@@ -40,8 +43,8 @@ impl Cloud {
         self.points.is_empty()
     }
 
-    /// The axis-aligned box of all points; empty for an empty cloud. O(n).
+    /// The axis-aligned box of all points; empty for an empty cloud. O(1).
     pub fn bounds(&self) -> Bounds {
-        Bounds::of(self.points.iter())
+        self.bounds
     }
 }
