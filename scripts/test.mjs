@@ -33,7 +33,7 @@ const STEPS = [
   {
     name: "clippy, wasm",
     run: () => {
-      const targets = ["--lib", "--test", "boundary"];
+      const targets = ["--lib", "--test", "*"];
       return run("cargo", [...CLIPPY, "--target", WASM_TARGET, ...BOUNDARIES, ...targets, ...DENY]);
     },
   },
@@ -48,7 +48,7 @@ const STEPS = [
     run: () =>
       run(
         "cargo",
-        ["test", "--locked", "--target", WASM_TARGET, "--package", "fit4cad-engine", "--test", "boundary"],
+        ["test", "--locked", "--target", WASM_TARGET, "--package", "fit4cad-engine", "--test", "*"],
         { capture: true },
       ),
   },
