@@ -103,7 +103,7 @@ test("all models are fitted, each with its result; the same settings again repla
 test("a fit is cancelled at any moment and the model is as it was", async ({ page }) => {
   await open(page);
   const folder = test.info().outputPath("large");
-  const files = filesOf("housing", "PC1", { spacing: 0.004 });
+  const files = filesOf("housing", "PC1", { spacing: 0.003 });
   await writeAll(folder, files);
   await drop(page, [folder]);
   await expect(row(page, "PC1")).toBeVisible(FITTED);
@@ -111,7 +111,8 @@ test("a fit is cancelled at any moment and the model is as it was", async ({ pag
   const panel = await openFit(page);
   await panel.getByRole("button", { name: "Fit PC1", exact: true }).click();
   await expect(page.locator(".status").getByRole("status").filter({ hasText: "HT fits PC1" })).toHaveCount(1);
-  await panel.getByRole("button", { name: "Cancel" }).click();
+  // Not waiting for the button to stand still: progress moves it, and the fit is soon over.
+  await panel.getByRole("button", { name: "Cancel" }).click({ force: true });
   await expect(fits(page)).toContainText("stopped");
   await expect(page.locator(".status progress")).toHaveCount(0);
   await page.getByRole("tab", { name: "Measures" }).click();
@@ -124,7 +125,7 @@ test("a cloud without ground truth is fitted: segmentation and primitives are sh
   const folder = test.info().outputPath("alone");
   await writeAll(folder, filesOf("bracket", "PC5").filter(({ path }) => path === "pointCloud/PC5.txt"));
   await drop(page, [join(folder, "pointCloud/PC5.txt")]);
-  await expect(page.locator(".models li")).toContainText("no score");
+  await expect(page.locator(".models li")).toContainText("points only");
   const panel = await openFit(page);
   await panel.getByRole("button", { name: "Fit PC5", exact: true }).click();
   await expect(fits(page)).toContainText("no truth", FITTED);
