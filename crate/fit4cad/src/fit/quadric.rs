@@ -43,8 +43,13 @@ impl Quadric {
                 2.0 * p.z,
                 1.0,
             ]);
-            moments.ger(1.0, &row, &row, 1.0);
+            for j in 0..10 {
+                for i in j..10 {
+                    moments[(i, j)] += row[i] * row[j];
+                }
+            }
         }
+        moments.fill_upper_triangle_with_lower_triangle();
         let eigen = SymmetricEigen::new(moments);
         let q = eigen
             .eigenvectors

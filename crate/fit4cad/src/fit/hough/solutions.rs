@@ -13,6 +13,10 @@ use crate::surface::{Plane, Surface, SurfaceType};
 /// on two faces and their edge find something that passes through all of them.
 const SPARE: usize = 3;
 
+/// Tolerances from the surface that a few steps of polishing must come within: those towards a true
+/// surface end far below one.
+const HOPELESS: f64 = 4.0;
+
 /// Neighbours, besides the point itself, that a flat neighbourhood must have.
 const FLAT: usize = 10;
 
@@ -68,7 +72,12 @@ pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote>
         _ => None,
     };
     let polished = |start: Surface| -> Option<Surface> {
-        let fitted = least_squares::fit(&start, &points, Loss::Squares)?.surface;
+        // Most starts on a free-form region are hopeless, which a few steps show.
+        let near = least_squares::approximate(&start, &points, Loss::Squares)?;
+        if near.error > HOPELESS * tolerance {
+            return None;
+        }
+        let fitted = least_squares::fit(&near.surface, &points, Loss::Squares)?.surface;
         let good = search.is_plausible(&fitted) && agrees(&fitted, &points, tolerance);
         good.then_some(fitted)
     };

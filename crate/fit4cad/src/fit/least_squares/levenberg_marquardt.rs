@@ -109,9 +109,16 @@ fn normal_equations<const N: usize>(
         let (distance, row) = chart.distance(point);
         let weight = loss.weight(distance);
         if weight > 0.0 {
-            normal.ger(weight, &row, &row, 1.0);
-            gradient.axpy(weight * distance, &row, 1.0);
+            // Written out: the general rank-one update took a fifth of the time of a fit.
+            for j in 0..N {
+                let weighted = weight * row[j];
+                gradient[j] += weighted * distance;
+                for i in j..N {
+                    normal[(i, j)] += weighted * row[i];
+                }
+            }
         }
     }
+    normal.fill_upper_triangle_with_lower_triangle();
     (normal, gradient)
 }
