@@ -162,7 +162,7 @@ test("scoring many models can be stopped, what is done stays, and the rest is ta
   await open(page);
   await drop(page, [folder]);
   await expect(row(page, "PC1")).toBeVisible();
-  await page.getByRole("button", { name: "Stop" }).click();
+  await page.getByRole("button", { name: "Stop" }).dispatchEvent("click");
   await expect(page.locator(".status progress")).toHaveCount(0);
   const stopped = page.locator(".models li", { hasText: "stopped" });
   await expect(stopped).not.toHaveCount(0);
