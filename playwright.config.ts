@@ -14,6 +14,8 @@ export default defineConfig({
   timeout: 120_000,
   // Waiting costs nothing where things are quick.
   expect: { timeout: 20_000 },
+  // A second chance for a starved machine; the report names what needed it.
+  retries: 1,
   forbidOnly: process.env.CI !== undefined,
   use: {
     baseURL: `http://127.0.0.1:${port}/`,

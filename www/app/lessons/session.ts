@@ -1,6 +1,7 @@
 // A lesson's own engine: a worker that lives as long as the lesson is shown.
 
 import * as Comlink from "comlink";
+import { effect } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import type { LessonsWorker } from "../../worker/lessons";
 import { notify } from "../state/notices";
@@ -33,20 +34,32 @@ export function useSession(): Session | undefined {
   return session;
 }
 
+/**
+ * Follows signals at once, where `useSignalEffect` waits for the next frame: what a step begins with must be set before
+ * the reader can do anything in it, or it would undo what they did.
+ */
+export function useFollower(follow: () => void): void {
+  useEffect(() => effect(follow), []);
+}
+
 /** Runs the latest of many requests, one at a time: what a brush or slider asks for while the engine is busy is asked once. */
 export function latest<T>(work: (request: T) => Promise<void>): (request: T) => Promise<void> {
   let waiting: { readonly request: T } | undefined;
   let busy: Promise<void> | undefined;
   const drain = async () => {
-    while (waiting) {
-      const { request } = waiting;
-      waiting = undefined;
-      await work(request);
+    try {
+      while (waiting) {
+        const { request } = waiting;
+        waiting = undefined;
+        await work(request);
+      }
+    } finally {
+      busy = undefined;
     }
   };
   return (request) => {
     waiting = { request };
-    busy ??= drain().finally(() => (busy = undefined));
+    busy ??= drain();
     return busy;
   };
 }

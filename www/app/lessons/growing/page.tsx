@@ -10,7 +10,7 @@ import * as format from "../../ui/format";
 import { Choice } from "../choice";
 import { LessonFrame } from "../frame";
 import { LiveView } from "../live";
-import { useSession, type Session } from "../session";
+import { useFollower, useSession, type Session } from "../session";
 import { step } from "../steps";
 import { place } from "./histogram";
 import * as state from "./state";
@@ -44,7 +44,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
   const has = (tool: GrowingStep["tools"][number]) => current?.tools.includes(tool) === true;
 
   // What comes after growing is about the regions of a threshold that suits the part.
-  useSignalEffect(() => {
+  useFollower(() => {
     const settled = shown()?.tools.includes("regions") === true;
     if (!settled || !state.part.value || state.eta.peek() === state.ETA.first) return;
     state.eta.value = state.ETA.first;

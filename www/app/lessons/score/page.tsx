@@ -9,7 +9,7 @@ import { Swatch } from "../../ui/swatch";
 import { Choice } from "../choice";
 import { LessonFrame } from "../frame";
 import { LiveView } from "../live";
-import { useSession, type Session } from "../session";
+import { useFollower, useSession, type Session } from "../session";
 import { step } from "../steps";
 import { NAMES } from "./figures";
 import { grown, PREDICTIONS, put, shifted, shrunk, type Prediction } from "./selection";
@@ -44,7 +44,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
   const begun = useRef<unknown>(undefined);
 
   // Every step begins with its own painting.
-  useSignalEffect(() => {
+  useFollower(() => {
     const now = current.value;
     if (!part.value || !now || begun.current === now) return;
     begun.current = now;
