@@ -3,32 +3,44 @@
 //!
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
-//!     [--only 9,14] [--noise SHARE] [--outliers SHARE] [--missing SHARE] [NAME=VALUE]…
+//!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--turn] [--noise SHARE]
+//!     [--outliers SHARE] [--missing SHARE] [--lost] [NAME=VALUE]…
 //! ```
-//! Noise is Gaussian, in diagonals; outliers are spread evenly over the bounding box; missing points
-//! are cut away around one point. NAME=VALUE sets a parameter of the fitters.
+//! `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
+//! then, they lose. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
+//! that were not found well. NAME=VALUE sets a parameter of the fitters.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use fit4cad::cloud::{Cloud, Point, Vector};
 use fit4cad::fit::{self, Method, Parameters};
 use fit4cad::format::{Role, SourceFile, read_model};
-use fit4cad::metrics::{Measure, Protocol, evaluate};
-use fit4cad::model::{Model, Segmentation};
+use fit4cad::metrics::{Measure, Protocol, Report, evaluate};
+use fit4cad::model::Model;
+use stress::Stress;
+
+mod oracle;
+mod stress;
 
 struct Options {
     folder: PathBuf,
-    method: Method,
+    finder: Finder,
     seed: u64,
     every: usize,
     only: Vec<String>,
-    noise: f64,
-    outliers: f64,
-    missing: f64,
+    at_least: usize,
+    stress: Stress,
+    lost: bool,
     parameters: Parameters,
+}
+
+/// What finds the surfaces.
+#[derive(Clone, Copy)]
+enum Finder {
+    Method(Method),
+    Oracle,
 }
 
 struct Row {
@@ -44,6 +56,7 @@ struct Row {
     hausdorff: f64,
     d1: f64,
     seconds: f64,
+    lost: Vec<String>,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -54,8 +67,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let Some(model) = read(&options.folder, &name)? else {
             continue;
         };
-        let row = run(&options, disturb(model, &options))?;
+        let size = model.truth.as_ref().map_or(0, |t| t.primitives.len());
+        if size < options.at_least {
+            continue;
+        }
+        let row = run(&options, options.stress.apply(model))?;
         println!("{row}");
+        for lost in row.lost.iter().filter(|_| options.lost) {
+            println!("    {lost}");
+        }
         rows.push(row);
     }
     summarise(&mut rows);
@@ -66,31 +86,38 @@ impl Options {
     fn read(mut arguments: impl Iterator<Item = String>) -> Result<Self, Box<dyn Error>> {
         let mut options = Self {
             folder: PathBuf::new(),
-            method: Method::Hough,
+            finder: Finder::Method(Method::Hough),
             seed: 1,
             every: 1,
             only: Vec::new(),
-            noise: 0.0,
-            outliers: 0.0,
-            missing: 0.0,
+            at_least: 1,
+            stress: Stress::default(),
+            lost: false,
             parameters: Parameters::default(),
         };
         while let Some(argument) = arguments.next() {
             let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
             match argument.as_str() {
                 "--method" => {
-                    options.method = match value()?.as_str() {
-                        "ht" => Method::Hough,
-                        "pg" => Method::Growing,
-                        other => return Err(format!("no method `{other}`; ht or pg").into()),
+                    options.finder = match value()?.as_str() {
+                        "ht" => Finder::Method(Method::Hough),
+                        "pg" => Finder::Method(Method::Growing),
+                        "oracle" => Finder::Oracle,
+                        other => {
+                            return Err(format!("no method `{other}`; ht, pg or oracle").into());
+                        }
                     }
                 }
                 "--seed" => options.seed = value()?.parse()?,
                 "--every" => options.every = value()?.parse::<usize>()?.max(1),
                 "--only" => options.only = value()?.split(',').map(|n| format!("PC{n}")).collect(),
-                "--noise" => options.noise = value()?.parse()?,
-                "--outliers" => options.outliers = value()?.parse()?,
-                "--missing" => options.missing = value()?.parse()?,
+                "--at-least" => options.at_least = value()?.parse()?,
+                "--thin" => options.stress.thin = value()?.parse()?,
+                "--turn" => options.stress.turn = true,
+                "--noise" => options.stress.noise = value()?.parse()?,
+                "--outliers" => options.stress.outliers = value()?.parse()?,
+                "--missing" => options.stress.missing = value()?.parse()?,
+                "--lost" => options.lost = true,
                 other => match other.split_once('=') {
                     Some((name, value)) => options.parameters.set(name, value.parse()?)?,
                     None => options.folder = PathBuf::from(other),
@@ -154,71 +181,19 @@ fn read(folder: &Path, name: &str) -> Result<Option<Model>, Box<dyn Error>> {
     Ok(has_truth.then_some(model))
 }
 
-/// The model with noise, outliers and missing points as asked for.
-fn disturb(mut model: Model, options: &Options) -> Model {
-    if options.noise == 0.0 && options.outliers == 0.0 && options.missing == 0.0 {
-        return model;
-    }
-    let mut random = fastrand::Rng::with_seed(7);
-    let bounds = model.cloud.bounds();
-    let sigma = options.noise * bounds.diagonal();
-    let old = model.cloud.points();
-    let middle = old[random.usize(..old.len())];
-    let mut distances: Vec<f64> = old.iter().map(|p| (p - middle).norm()).collect();
-    distances.sort_by(f64::total_cmp);
-    let cut = ((old.len() as f64 * options.missing) as usize)
-        .checked_sub(1)
-        .map(|i| distances[i]);
-    let mut points: Vec<Point> = Vec::with_capacity(old.len());
-    let mut place = vec![None; old.len()];
-    for (index, point) in old.iter().enumerate() {
-        if cut.is_some_and(|cut| (point - middle).norm() <= cut) {
-            continue;
-        }
-        place[index] = u32::try_from(points.len()).ok();
-        points.push(point + Vector::from_fn(|_, _| sigma * gaussian(&mut random)));
-    }
-    for _ in 0..(points.len() as f64 * options.outliers) as usize {
-        let at = Vector::from_fn(|_, _| random.f64());
-        points.push(bounds.min + bounds.size().component_mul(&at));
-    }
-    if let Some(Segmentation { primitives }) = &mut model.truth {
-        for primitive in primitives.iter_mut() {
-            primitive.points = primitive
-                .points
-                .iter()
-                .filter_map(|&index| place[index as usize])
-                .collect();
-        }
-        primitives.retain(|primitive| !primitive.points.is_empty());
-    }
-    model.cloud = Cloud::new(points);
-    model
-}
-
-/// A normal deviate (Box and Muller 1958).
-fn gaussian(random: &mut fastrand::Rng) -> f64 {
-    let radius = (-2.0 * (1.0 - random.f64()).ln()).sqrt();
-    radius * (std::f64::consts::TAU * random.f64()).cos()
-}
-
 fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
     let start = Instant::now();
-    let fit = fit::fit(
-        &model.cloud,
-        options.method,
-        &options.parameters,
-        options.seed,
-        &mut (),
-    )?;
+    let (parameters, seed) = (&options.parameters, options.seed);
+    let found = match options.finder {
+        Finder::Method(method) => {
+            fit::fit(&model.cloud, method, parameters, seed, &mut ())?.segmentation
+        }
+        Finder::Oracle => oracle::fit(&model, parameters)?,
+    };
     let seconds = start.elapsed().as_secs_f64();
     let truth = model.truth.unwrap_or_default();
-    let report = evaluate(
-        &model.cloud,
-        &truth,
-        &fit.segmentation,
-        Protocol::Definition,
-    );
+    let report = evaluate(&model.cloud, &truth, &found, Protocol::Definition);
+    let lost = lost(&report);
     let (mut types, mut types_right) = (0, 0);
     for row in &report.primitives {
         if let (Some(kind), Some(matched)) = (row.kind, row.matched) {
@@ -231,7 +206,7 @@ fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
         name: model.name,
         points: model.cloud.len(),
         truth: truth.primitives.len(),
-        found: fit.segmentation.primitives.len(),
+        found: found.primitives.len(),
         dsc: mean(Measure::Dsc),
         prediction_dsc: report.hidden.prediction_dsc.unwrap_or(0.0),
         types_right,
@@ -240,7 +215,30 @@ fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
         hausdorff: mean(Measure::DHaus),
         d1: mean(Measure::D1),
         seconds,
+        lost,
     })
+}
+
+/// A line for each primitive that nothing found matches well.
+fn lost(report: &Report) -> Vec<String> {
+    let found = |place: usize| {
+        let prediction = &report.predictions[place];
+        let kind = prediction.kind.map_or("?", |kind| kind.name());
+        format!("{kind} {} of {} points", prediction.number, prediction.size)
+    };
+    let rows = report.primitives.iter();
+    rows.filter_map(|row| {
+        let dsc = row.classification.dsc.unwrap_or(0.0);
+        (dsc < 0.9).then(|| {
+            let kind = row.kind.map_or("?", |kind| kind.name());
+            let matched = row.matched.map_or("nothing".to_owned(), found);
+            format!(
+                "{kind} {} of {} points: {dsc:.3}, {matched}",
+                row.number, row.size
+            )
+        })
+    })
+    .collect()
 }
 
 impl std::fmt::Display for Row {
