@@ -81,6 +81,18 @@ test("without WebGL 2 the tables still work, and the page says why there is no p
   await expect(page.locator("table.primitives tbody tr[aria-current]")).toHaveCount(1);
 });
 
+test("a lesson's address makes no sample until the scores are shown", async ({ page }) => {
+  await page.goto("./?page=lessons");
+  await expect(page.getByRole("heading", { name: "Lessons" })).toBeVisible();
+  const started = () => page.workers().length;
+  // Nothing tells that nothing will come: the page is asked for more and has had its time when that is there.
+  await page.getByRole("link", { name: "Implicit and parametric" }).click();
+  await expect(page.locator(".lesson-live canvas").first()).toBeVisible();
+  expect(started(), "the lesson's own engine alone").toBeLessThanOrEqual(1);
+  await page.getByRole("link", { name: "Score", exact: true }).click();
+  await expect(rows(page)).toHaveCount(1);
+});
+
 test("a page that does not exist says so and leads back", async ({ page }) => {
   await page.goto("./?page=nowhere");
   await expect(page.getByText("There is no page “nowhere” here.")).toBeVisible();

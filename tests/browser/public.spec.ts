@@ -2,8 +2,8 @@
 
 import AxeBuilder from "@axe-core/playwright";
 import type { Locator, Page, Route } from "@playwright/test";
-import { zipSync } from "fflate";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
+import { zipOf } from "./support/drop";
 import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
 
 /** As raw GitHub answers: to anyone. */
@@ -52,6 +52,13 @@ test("a missing file is named and the rest is scored", async ({ page, complaints
   await expect(sheet.locator(".outcome")).toContainText(`${lost} did not arrive`);
   await page.keyboard.press("Escape");
   await page.getByRole("tab", { name: /Diagnostics/ }).click();
+  await expect(page.getByRole("tabpanel")).toContainText(lost);
+
+  // What comes later takes nothing back that is still so.
+  await page.getByRole("button", { name: "Add data" }).click();
+  const note = { name: "notes.dat", mimeType: "text/plain", buffer: Buffer.from("nothing") };
+  await page.getByLabel("Choose files or zips").setInputFiles(note);
+  await expect(page.getByRole("tabpanel")).toContainText("notes.dat");
   await expect(page.getByRole("tabpanel")).toContainText(lost);
   forgive(complaints, /404/);
 });
@@ -227,11 +234,6 @@ function testSet(files: readonly Fixture[]): Fixture[] {
     const of = (method: string) => ({ path: `MATLAB/${path.replace(METHOD, method)}`, text });
     return path.startsWith("pointCloud_primitives") ? [of("HT"), of("PG")] : [of("HT")];
   });
-}
-
-function zipOf(files: readonly Fixture[]): Buffer {
-  const entries = files.map(({ path, text }) => [path, new TextEncoder().encode(text)] as const);
-  return Buffer.from(zipSync(Object.fromEntries(entries)));
 }
 
 /** The browser itself logs every request that fails; here that is what was wanted. */

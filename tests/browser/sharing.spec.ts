@@ -2,9 +2,9 @@ import { existsSync } from "node:fs";
 import { join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
 import { readFragment, writeFragment } from "../../www/app/sharing/codec/link";
-import { expect, open, picture, row, rows, test } from "./support/test";
+import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { filesOf, scoreOf, scoreOfSample } from "./support/engine";
-import { drop } from "./support/drop";
+import { drop, zipOf } from "./support/drop";
 import { claims, dropFiles, linkOf, openLink } from "./support/sharing";
 
 /** A link with its results changed, as a cheat would. */
@@ -208,4 +208,16 @@ test("an embedded link is to look at only, and opens full", async ({ page, conte
   await page.goto("about:blank");
   await page.goto("./?embed");
   await expect(page.locator("main")).toContainText("This address holds no results");
+
+  // A zip of results, without any link.
+  const files = filesOf("flange", "PC6");
+  await page.route("**/course/week1.zip", (route) => route.fulfill({ body: zipOf(files), contentType: "application/zip" }));
+  await page.goto("./?embed&data=course/week1.zip");
+  await expect(rows(page)).toHaveCount(1);
+  expect(await measuresIn(row(page, "PC6"))).toEqual(scoreOf(files).mean);
+  await expect(page.locator(".embed .bar")).toContainText("1 model");
+  await expect(page.getByRole("link", { name: "Open full" })).toHaveAttribute("href", /\?data=/);
+  await picture(page, "embed-data");
+  await page.goto("./?embed&data=https://example.org/all.zip");
+  await expect(page.getByRole("alert")).toContainText("own host");
 });

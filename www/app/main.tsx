@@ -2,11 +2,12 @@ import { render } from "preact";
 import { listen } from "./keyboard/shortcuts";
 import { keepForOffline } from "./offline/register";
 import { KEYS } from "./keyboard/keys";
-import { openData } from "./public/address";
-import { openFirstSample } from "./samples/samples";
-import { heedAddress, openAddress } from "./sharing/share";
+import { heedAddress } from "./sharing/share";
 import { App } from "./shell/app";
-import { Lazy } from "./ui/lazy";
+import { openFirst, openNamed } from "./shell/opening";
+import { PAGES } from "./shell/registry";
+import { page } from "./shell/router";
+import { fetchAhead, Lazy } from "./ui/lazy";
 import "../styles/index.css";
 
 const embedded = new URLSearchParams(location.search).has("embed");
@@ -17,14 +18,13 @@ if (root) {
   heedAddress();
   if (embedded) {
     render(<Lazy load={loadEmbed} title="the results" />, root);
-    void openAddress();
+    void openNamed();
   } else {
+    const first = PAGES.find(({ id }) => id === page.value);
+    if (first) fetchAhead(first.load);
     render(<App />, root);
     listen(KEYS);
-    void openAddress()
-      .then((found) => (found ? undefined : openFirstSample()))
-      // The sample is there to look at meanwhile, and makes room for what arrives.
-      .then(openData);
+    openFirst(PAGES);
   }
 }
 

@@ -3,6 +3,7 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import type { Page } from "@playwright/test";
+import { zipSync } from "fflate";
 import type { Fixture } from "./engine";
 
 /** Writes files below a folder. */
@@ -12,6 +13,12 @@ export async function writeAll(folder: string, files: readonly Fixture[]): Promi
     await mkdir(dirname(target), { recursive: true });
     await writeFile(target, text);
   }
+}
+
+/** The files as one zip. */
+export function zipOf(files: readonly Fixture[]): Buffer {
+  const entries = files.map(({ path, text }) => [path, new TextEncoder().encode(text)] as const);
+  return Buffer.from(zipSync(Object.fromEntries(entries)));
 }
 
 /** Drags paths of the disk over the page and lets go. */

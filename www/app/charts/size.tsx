@@ -1,7 +1,9 @@
 // Whether small primitives are found as well as large ones.
 
 import type { JSX } from "preact";
+import { measureColumn } from "../measures/column";
 import { selectedModel, selectedPrimitive } from "../state/selection";
+import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { Chart } from "./figure";
@@ -10,31 +12,10 @@ import { chartedMethod, goTo, scopeText, truePrimitives, type TruePrimitive } fr
 import { TYPES, typeColour, typeName } from "./surface-types";
 
 const COLUMNS: readonly Column<TruePrimitive>[] = [
-  {
-    id: "primitive",
-    head: "Primitive",
-    label: "primitive",
-    cell: ({ model, report }) => `${model}, ${report.truth}`,
-    sortBy: ({ model, report }) => `${model}, ${report.truth}`,
-  },
-  { id: "type", head: "Type", label: "type", cell: ({ report }) => typeName(report.type), sortBy: ({ report }) => report.type },
-  {
-    id: "size",
-    head: "Points",
-    label: "points",
-    numeric: true,
-    cell: ({ report }) => format.integer(report.size),
-    sortBy: ({ report }) => report.size,
-  },
-  {
-    id: "DSC",
-    head: "DSC",
-    label: "DSC",
-    numeric: true,
-    cell: ({ report }) => format.measure("DSC", report.DSC),
-    sortBy: ({ report }) => report.DSC,
-    title: ({ report }) => report.DSC?.toString(),
-  },
+  words("primitive", "Primitive", ({ model, report }) => `${model}, ${report.truth}`),
+  words("type", "Type", ({ report }) => typeName(report.type)),
+  count("size", "Points", ({ report }) => report.size),
+  measureColumn("DSC", ({ report }) => report.DSC),
 ];
 
 function visit({ model, method, place }: TruePrimitive): void {

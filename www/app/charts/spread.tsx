@@ -6,6 +6,7 @@ import { isShare, MEASURE_TEXT } from "../measures/measures";
 import { means } from "../scores/means";
 import { scoredRows } from "../state/models";
 import { protocol } from "../state/settings";
+import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { Chart } from "./figure";
@@ -36,9 +37,9 @@ const figure = (head: string, label: string, of: (over: Distribution) => number)
 });
 
 const COLUMNS: readonly Column<Box>[] = [
-  { id: "measure", head: "Measure", label: "measure", cell: ({ measure }) => measure },
-  { id: "method", head: "Method", label: "method", cell: ({ method }) => method, sortBy: ({ method }) => method },
-  { id: "count", head: "Models", label: "models", numeric: true, cell: ({ over }) => over.count, sortBy: ({ over }) => over.count },
+  words("measure", "Measure", ({ measure }) => measure),
+  words("method", "Method", ({ method }) => method),
+  count("count", "Models", ({ over }) => over.count),
   figure("Least", "least", ({ min }) => min),
   figure("Lower quartile", "lower quartile", ({ lowerQuartile }) => lowerQuartile),
   figure("Median", "median", ({ median }) => median),

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import type { SurfaceType } from "../engine/contract";
 import type { PrimitiveRef, Side } from "../state/selection";
-import * as format from "../ui/format";
+import { count, words } from "../ui/columns";
 import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
 import { Chart } from "./figure";
@@ -77,17 +77,8 @@ function seriesOf(method: string): string {
 
 function columnsOf(series: readonly string[]): Column<Bar>[] {
   return [
-    { id: "type", head: "Type", label: "type", cell: ({ type }) => type },
-    ...series.map(
-      (name): Column<Bar> => ({
-        id: name,
-        head: name,
-        label: name,
-        numeric: true,
-        cell: ({ counts }) => format.integer(counts[name] ?? 0),
-        sortBy: ({ counts }) => counts[name],
-      }),
-    ),
+    words("type", "Type", ({ type }) => type),
+    ...series.map((name) => count<Bar>(name, name, ({ counts }) => counts[name] ?? 0, { label: name })),
   ];
 }
 

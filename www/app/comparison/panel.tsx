@@ -8,6 +8,7 @@ import { MEASURE_TEXT, MEASURES } from "../measures/measures";
 import { methods, scoredRows, type ModelEntry } from "../state/models";
 import { selectedModel, selectModel } from "../state/selection";
 import { protocol } from "../state/settings";
+import { words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { difference, means, tally, type Pair } from "./compare";
@@ -67,7 +68,7 @@ function titleOf(row: Row, measure: Measure): string {
 }
 
 const COLUMNS: readonly Column<Row>[] = [
-  { id: "model", head: "Model", label: "model", cell: ({ entry }) => entry.id, sortBy: ({ entry }) => entry.id },
+  words("model", "Model", ({ entry }) => entry.id),
   {
     id: "test",
     head: "Test model",

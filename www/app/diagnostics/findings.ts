@@ -2,7 +2,7 @@
 
 import { computed } from "@preact/signals";
 import type { Diagnostic } from "../engine/contract";
-import { unplaced } from "../state/inbox";
+import { brought, unplaced } from "../state/inbox";
 import { models } from "../state/models";
 
 export interface Finding extends Diagnostic {
@@ -20,7 +20,7 @@ export const findings = computed<readonly Finding[]>(() => {
     message: reason,
     found: "",
     expected: "",
-    hint: "Say what it is under Files, or rename it.",
+    hint: brought.value.has(path) ? "Say what it is under Files, or rename it." : "",
   }));
   for (const { id, status } of models.value) {
     if (status.kind === "failed") {

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
 import type { Severity } from "../engine/contract";
-import { notify } from "../state/notices";
+import { copy } from "../export/download";
 import { selectedModel, selectModel } from "../state/selection";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
@@ -31,7 +31,7 @@ export default function DiagnosticsPanel(): JSX.Element {
           />
           Selected model only
         </label>
-        <button type="button" disabled={wanted.length === 0} onClick={() => void copy(wanted)}>
+        <button type="button" disabled={wanted.length === 0} onClick={() => void copyAll(wanted)}>
           <Icon name="copy" />
           Copy all
         </button>
@@ -90,18 +90,13 @@ function Item({ finding }: { finding: Finding }): JSX.Element {
           <code>{placeOf(finding)}</code>
         </p>
       </div>
-      <button type="button" class="icon" aria-label="Copy this finding" onClick={() => void copy([finding])}>
+      <button type="button" class="icon" aria-label="Copy this finding" onClick={() => void copyAll([finding])}>
         <Icon name="copy" />
       </button>
     </li>
   );
 }
 
-async function copy(list: readonly Finding[]): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(list.map(asText).join("\n"));
-    notify(`${plural(list.length, "finding")} copied.`);
-  } catch {
-    notify("The browser did not allow copying.", "error");
-  }
+function copyAll(list: readonly Finding[]): Promise<void> {
+  return copy(list.map(asText).join("\n"), plural(list.length, "finding"));
 }

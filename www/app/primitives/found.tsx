@@ -4,11 +4,12 @@
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
 import type { PrimitiveInfo, SurfaceInfo } from "../engine/contract";
-import { ExplainButton } from "../measures/explain";
+import { measureColumn } from "../measures/column";
 import { predictionColours } from "../stage/colouring";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedModel, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
 import type { ModelScene } from "../../worker/protocol";
+import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
@@ -35,31 +36,9 @@ const COLUMNS: readonly Column<Row>[] = [
     ),
     sortBy: ({ primitive }) => primitive.number,
   },
-  {
-    id: "type",
-    head: "Type",
-    label: "type",
-    cell: ({ primitive }) => primitive.type ?? "other",
-    sortBy: ({ primitive }) => primitive.type,
-  },
-  {
-    id: "size",
-    head: "Points",
-    label: "points",
-    numeric: true,
-    cell: ({ primitive }) => format.integer(primitive.size),
-    sortBy: ({ primitive }) => primitive.size,
-  },
-  {
-    id: "MFE",
-    head: "MFE",
-    aside: <ExplainButton measure="MFE" />,
-    label: "MFE",
-    numeric: true,
-    cell: ({ primitive }) => format.measure("MFE", primitive.mfe),
-    sortBy: ({ primitive }) => primitive.mfe,
-    title: ({ primitive }) => primitive.mfe?.toString(),
-  },
+  words("type", "Type", ({ primitive }) => primitive.type, { missing: "other" }),
+  count("size", "Points", ({ primitive }) => primitive.size),
+  measureColumn<Row>("MFE", ({ primitive }) => primitive.mfe),
   {
     id: "dimensions",
     head: "Dimensions",

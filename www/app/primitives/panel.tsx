@@ -4,8 +4,8 @@
 import type { JSX } from "preact";
 import { computed, signal } from "@preact/signals";
 import type { PredictionReport, TruthReport } from "../engine/contract";
-import { ExplainButton } from "../measures/explain";
-import { ACCURACY_MEASURES, isShare, MEASURES } from "../measures/measures";
+import { measureColumn } from "../measures/column";
+import { ACCURACY_MEASURES, MEASURES } from "../measures/measures";
 import { predictionColours } from "../stage/colouring";
 import {
   hoveredPrimitive,
@@ -17,7 +17,7 @@ import {
 } from "../state/selection";
 import { placeOfMatch } from "../state/matches";
 import { protocol } from "../state/settings";
-import * as format from "../ui/format";
+import { count, words } from "../ui/columns";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { segmentColour, UNSEGMENTED } from "../view/palette";
@@ -72,15 +72,8 @@ const COLUMNS: readonly Column<TruthRow>[] = [
     ),
     sortBy: ({ report }) => report.truth,
   },
-  { id: "type", head: "Type", label: "type", cell: ({ report }) => report.type ?? "other", sortBy: ({ report }) => report.type },
-  {
-    id: "size",
-    head: "Points",
-    label: "points",
-    numeric: true,
-    cell: ({ report }) => format.integer(report.size),
-    sortBy: ({ report }) => report.size,
-  },
+  words("type", "Type", ({ report }) => report.type, { missing: "other" }),
+  count("size", "Points", ({ report }) => report.size),
   {
     id: "match",
     head: "Match",
@@ -100,27 +93,8 @@ const COLUMNS: readonly Column<TruthRow>[] = [
       ),
     sortBy: ({ prediction }) => prediction?.type,
   },
-  {
-    id: "match-size",
-    head: "Points",
-    label: "points of the match",
-    numeric: true,
-    cell: ({ prediction }) => prediction && format.integer(prediction.size),
-    sortBy: ({ prediction }) => prediction?.size,
-  },
-  ...MEASURES.map(
-    (measure): Column<TruthRow> => ({
-      id: measure,
-      head: measure,
-      aside: <ExplainButton measure={measure} />,
-      label: measure,
-      numeric: true,
-      cell: ({ report }) => format.measure(measure, report[measure]),
-      sortBy: ({ report }) => report[measure],
-      title: ({ report }) => report[measure]?.toString(),
-      ...(isShare(measure) ? { share: ({ report }: TruthRow) => report[measure] } : {}),
-    }),
-  ),
+  count("match-size", "Points", ({ prediction }) => prediction?.size, { label: "points of the match" }),
+  ...MEASURES.map((measure) => measureColumn<TruthRow>(measure, ({ report }) => report[measure])),
 ];
 
 const SPURIOUS_COLUMNS: readonly Column<SpuriousRow>[] = [
@@ -136,33 +110,13 @@ const SPURIOUS_COLUMNS: readonly Column<SpuriousRow>[] = [
     ),
     sortBy: ({ report }) => report.prediction,
   },
-  { id: "type", head: "Type", label: "type", cell: ({ report }) => report.type ?? "other", sortBy: ({ report }) => report.type },
-  {
-    id: "size",
-    head: "Points",
-    label: "points",
-    numeric: true,
-    cell: ({ report }) => format.integer(report.size),
-    sortBy: ({ report }) => report.size,
-  },
-  {
-    id: "overlaps",
-    head: "Mostly overlaps true",
+  words("type", "Type", ({ report }) => report.type, { missing: "other" }),
+  count("size", "Points", ({ report }) => report.size),
+  count("overlaps", "Mostly overlaps true", ({ report }) => report.match, {
     label: "most overlapping true primitive",
-    cell: ({ report }) => report.match ?? "none",
-    sortBy: ({ report }) => report.match,
-  },
-  ...ACCURACY_MEASURES.map(
-    (measure): Column<SpuriousRow> => ({
-      id: measure,
-      head: measure,
-      aside: <ExplainButton measure={measure} />,
-      label: measure,
-      numeric: true,
-      cell: ({ report }) => format.measure(measure, report[measure]),
-      sortBy: ({ report }) => report[measure],
-    }),
-  ),
+    missing: "none",
+  }),
+  ...ACCURACY_MEASURES.map((measure) => measureColumn<SpuriousRow>(measure, ({ report }) => report[measure])),
 ];
 
 function isRef(ref: PrimitiveRef | undefined, side: PrimitiveRef["side"], index: number | undefined): boolean {

@@ -2,11 +2,12 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
-import { ExplainButton } from "../measures/explain";
-import { isShare, MEASURES } from "../measures/measures";
+import { measureColumn } from "../measures/column";
+import { MEASURES } from "../measures/measures";
 import { scoredRows, type ScoredRow } from "../state/models";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import { protocol } from "../state/settings";
+import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { means } from "./means";
@@ -18,58 +19,14 @@ function report({ reports }: ScoredRow) {
 }
 
 const COLUMNS: readonly Column<ScoredRow>[] = [
-  { id: "model", head: "Model", label: "model", cell: ({ entry }) => entry.id, sortBy: ({ entry }) => entry.id },
+  words("model", "Model", ({ entry }) => entry.id),
+  words("method", "Method", ({ reports }) => reports.method),
+  count("points", "Points", (row) => report(row).points),
+  count("truth", "True", (row) => report(row).truth, { label: "true primitives" }),
+  count("predicted", "Pred.", (row) => report(row).predicted, { label: "predicted primitives" }),
+  ...MEASURES.map((measure) => measureColumn<ScoredRow>(measure, (row) => report(row).mean[measure])),
   {
-    id: "method",
-    head: "Method",
-    label: "method",
-    cell: ({ reports }) => reports.method,
-    sortBy: ({ reports }) => reports.method,
-  },
-  {
-    id: "points",
-    head: "Points",
-    label: "points",
-    numeric: true,
-    cell: (row) => format.integer(report(row).points),
-    sortBy: (row) => report(row).points,
-  },
-  {
-    id: "truth",
-    head: "True",
-    label: "true primitives",
-    numeric: true,
-    cell: (row) => report(row).truth,
-    sortBy: (row) => report(row).truth,
-  },
-  {
-    id: "predicted",
-    head: "Pred.",
-    label: "predicted primitives",
-    numeric: true,
-    cell: (row) => report(row).predicted,
-    sortBy: (row) => report(row).predicted,
-  },
-  ...MEASURES.map(
-    (measure): Column<ScoredRow> => ({
-      id: measure,
-      head: measure,
-      aside: <ExplainButton measure={measure} />,
-      label: measure,
-      numeric: true,
-      cell: (row) => format.measure(measure, report(row).mean[measure]),
-      sortBy: (row) => report(row).mean[measure],
-      title: (row) => report(row).mean[measure]?.toString(),
-      ...(isShare(measure) ? { share: (row: ScoredRow) => report(row).mean[measure] } : {}),
-    }),
-  ),
-  {
-    id: "types",
-    head: "Type err.",
-    label: "type errors",
-    numeric: true,
-    cell: (row) => report(row).type_errors,
-    sortBy: (row) => report(row).type_errors,
+    ...count<ScoredRow>("types", "Type err.", (row) => report(row).type_errors, { label: "type errors" }),
     title: () => "Predicted primitives whose type differs from that of their most overlapping true one",
   },
 ];

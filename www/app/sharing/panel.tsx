@@ -2,10 +2,11 @@
 
 import type { JSX } from "preact";
 import { byMethod, meanOf } from "../../../bin/formats/measures.mjs";
-import { ExplainButton } from "../measures/explain";
+import { measureColumn } from "../measures/column";
 import { MEASURES } from "../measures/measures";
 import { modelById } from "../state/models";
 import { selectedModel, selectModel } from "../state/selection";
+import { words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { VerdictMark } from "./mark";
@@ -50,8 +51,8 @@ function count(id: string, head: string, label: string, figure: Figure, value: (
 }
 
 const COLUMNS: readonly Column<JudgedClaim>[] = [
-  { id: "model", head: "Model", label: "model", cell: ({ model }) => model.name, sortBy: ({ model }) => model.name },
-  { id: "method", head: "Method", label: "method", cell: ({ claim }) => claim.method, sortBy: ({ claim }) => claim.method },
+  words("model", "Model", ({ model }) => model.name),
+  words("method", "Method", ({ claim }) => claim.method),
   {
     id: "mark",
     head: "Mark",
@@ -64,19 +65,13 @@ const COLUMNS: readonly Column<JudgedClaim>[] = [
   count("predicted", "Pred.", "predicted primitives", "predicted", ({ claim }) => claim.predicted),
   ...MEASURES.map(
     (measure): Column<JudgedClaim> => ({
-      id: measure,
-      head: measure,
-      aside: <ExplainButton measure={measure} />,
-      label: measure,
-      numeric: true,
+      ...measureColumn<JudgedClaim>(measure, ({ claim }) => claim.mean[measure]),
       cell: (row) =>
         differenceIn(row, measure) ? (
           <Claimed row={row} figure={measure} text={(value) => format.measure(measure, value)} />
         ) : (
           format.measure(measure, row.claim.mean[measure])
         ),
-      sortBy: ({ claim }) => claim.mean[measure],
-      title: ({ claim }) => claim.mean[measure]?.toString(),
     }),
   ),
   count("types", "Type err.", "type errors", "type errors", ({ claim }) => claim.typeErrors),

@@ -9,6 +9,8 @@ export interface PageDefinition {
   readonly load: Load;
   /** The page whose link stands for this one in the header. */
   readonly under?: string;
+  /** Whether it is about the models on the page: only then does a first visit find a sample there. */
+  readonly showsModels?: true;
 }
 
 export const HOME = "score";

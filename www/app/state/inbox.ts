@@ -3,7 +3,7 @@
 // The whole heap is sorted anew whenever something is added or corrected, so a submission dropped
 // today finds the ground truth dropped before it. Only models whose files changed are scored again.
 
-import { batch, signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { Grouping, Override } from "../engine/contract";
 import type { ModelFile, ModelSource } from "../../worker/protocol";
@@ -25,8 +25,15 @@ export interface Unplaced {
 
 export const brought = signal<ReadonlyMap<string, BroughtFile>>(new Map());
 export const overrides = signal<Readonly<Record<string, Override>>>({});
-/** Files that belong to no model, with the reason. */
-export const unplaced = signal<readonly Unplaced[]>([]);
+/** Files that could not be had (not opened, not downloaded), by path with the last reason. */
+const refused = signal<ReadonlyMap<string, string>>(new Map());
+/** Files that were had and belong to no model. */
+const homeless = signal<readonly Unplaced[]>([]);
+/** Every file that is part of no model, with the reason. */
+export const unplaced = computed<readonly Unplaced[]>(() => [
+  ...Array.from(refused.value, ([path, reason]) => ({ path, reason })),
+  ...homeless.value,
+]);
 /** How many files were litter (`.DS_Store` and the like). */
 export const ignored = signal(0);
 
@@ -36,13 +43,17 @@ const made = signal<ReadonlyMap<string, { origin: Origin; files: readonly ModelF
 /** The model shown on opening; it makes room for the first files brought. */
 let opening: string | undefined;
 
-/** Takes files in and scores what they make. `refused` are files that could not even be opened. */
-export async function receive(files: readonly BroughtFile[], refused: readonly Unplaced[] = []): Promise<void> {
+/** Takes files in and scores what they make. `lacking` are files that could not even be opened. */
+export async function receive(files: readonly BroughtFile[], lacking: readonly Unplaced[] = []): Promise<void> {
+  refused.value = new Map([
+    ...[...refused.value].filter(([path]) => !files.some((file) => holds(path, file.path))),
+    ...lacking.map(({ path, reason }) => [path, reason] as const),
+  ]);
   const heap = new Map(brought.value);
   for (const file of files) heap.set(file.path, file);
   brought.value = heap;
   const before = new Set(models.value.map((entry) => entry.source.key));
-  await regroup(refused);
+  await regroup();
   const fresh = models.value.filter((entry) => !before.has(entry.source.key));
   const first = fresh[0];
   if (first) selectModel(first.id);
@@ -51,6 +62,11 @@ export async function receive(files: readonly BroughtFile[], refused: readonly U
     `${count(files.length, "file")} received: ${count(fresh.length, "model")} new or changed` +
       (unplaced.value.length > 0 ? `, ${count(unplaced.value.length, "file")} not placed (see Diagnostics).` : "."),
   );
+}
+
+/** Whether a path is that of a file or of the zip it was in. */
+function holds(path: string, file: string): boolean {
+  return file === path || file.startsWith(`${path}/`);
 }
 
 /** Corrects how one file is understood; an empty override takes the correction back. */
@@ -108,6 +124,7 @@ export function clear(): void {
   batch(() => {
     brought.value = new Map();
     overrides.value = {};
+    refused.value = new Map();
     made.value = new Map();
     lastGrouping = NOTHING;
     assemble(NOTHING);
@@ -117,11 +134,18 @@ export function clear(): void {
 const NOTHING: Grouping = { models: [], unplaced: [], ignored: 0 };
 let lastGrouping: Grouping = NOTHING;
 
-async function regroup(refused: readonly Unplaced[] = []): Promise<void> {
+/** One at a time: a heap sorted later must not be overtaken by an earlier one. */
+let sorting: Promise<void> = Promise.resolve();
+
+function regroup(): Promise<void> {
+  sorting = sorting.catch(() => undefined).then(sortAnew);
+  return sorting;
+}
+
+async function sortAnew(): Promise<void> {
   const paths = [...brought.value.keys()];
-  const grouping = await engine.run((api) => api.group(paths, overrides.value));
-  lastGrouping = { ...grouping, unplaced: [...refused, ...grouping.unplaced] };
-  if (opening !== undefined && grouping.models.length > 0) {
+  lastGrouping = await engine.run((api) => api.group(paths, overrides.value));
+  if (opening !== undefined && lastGrouping.models.length > 0) {
     const { [opening]: _, ...rest } = Object.fromEntries(made.value);
     made.value = new Map(Object.entries(rest));
     opening = undefined;
@@ -140,7 +164,7 @@ function assemble(grouping: Grouping): void {
   }
   batch(() => {
     models.value = entries;
-    unplaced.value = grouping.unplaced;
+    homeless.value = grouping.unplaced;
     ignored.value = grouping.ignored;
     if (!entries.some(({ id }) => id === selectedModel.value)) selectModel(entries[0]?.id);
   });

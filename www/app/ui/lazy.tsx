@@ -7,13 +7,22 @@ export type Load = () => Promise<{ default: FunctionComponent }>;
 
 const loaded = new WeakMap<Load, FunctionComponent>();
 
+/** Begins to fetch a part that will be shown soon; one that fails is asked for again when it is shown. */
+export function fetchAhead(load: Load): void {
+  load().then(
+    (module) => loaded.set(load, module.default),
+    () => undefined,
+  );
+}
+
 export function Lazy({ load, title }: { load: Load; title: string }): JSX.Element {
   const [, settled] = useState(0);
   const [failure, setFailure] = useState<string>();
   const Part = loaded.get(load);
 
   useEffect(() => {
-    if (loaded.has(load)) return;
+    // Not asked of `loaded`: a part fetched ahead may have come since this was drawn.
+    if (Part) return;
     let wanted = true;
     load().then(
       (module) => {

@@ -1,0 +1,33 @@
+// What is on the page from the start: what its address names, else a sample.
+
+import { effect } from "@preact/signals";
+import { openData } from "../public/address";
+import { openFirstSample } from "../samples/samples";
+import { openAddress } from "../sharing/share";
+import { models } from "../state/models";
+import { page, type PageDefinition } from "./router";
+
+/** Opens what the address names. A lesson needs no models: there it waits until a page is shown that does. */
+export function openFirst(pages: readonly PageDefinition[]): void {
+  const linked = openAddress();
+  let waiting = true;
+  effect(() => {
+    const shown = pages.find(({ id }) => id === page.value);
+    if (!waiting || !shown?.showsModels) return;
+    waiting = false;
+    // Not within the effect: what is read here must not bring it back.
+    queueMicrotask(() => void fill(linked));
+  });
+}
+
+async function fill(linked: Promise<boolean>): Promise<void> {
+  // The sample is there to look at meanwhile, and makes room for what arrives.
+  if (!(await linked) && models.value.length === 0) await openFirstSample();
+  await openData();
+}
+
+/** The same for an embedded view, which shows nothing that its address does not name. */
+export async function openNamed(): Promise<void> {
+  await openAddress();
+  await openData();
+}
