@@ -19,6 +19,7 @@ mod primitive;
 mod report;
 mod statistics;
 mod stop;
+mod studio;
 mod summary;
 
 pub use audit::{Audit, Corrected, Correction, Finding, FormAudit, PrimitiveAudit};
@@ -35,12 +36,13 @@ pub use lesson::painting::{CountsInfo, PaintedScore};
 pub use lists::PointLists;
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
-pub use part::{DegradationOptions, PartInfo, SampleOptions, parts};
+pub use part::{PartInfo, SampleOptions, parts};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{
     Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
 pub use statistics::{DatasetStatistics, ModelStatistics, Spread, Types, dataset_statistics};
+pub use studio::{Block, Operation, ShapeInfo, SizeInfo, shapes};
 pub use summary::{Distribution, distribution};
 
 use tsify::{Ts, Tsify};

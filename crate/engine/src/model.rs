@@ -20,7 +20,7 @@ use crate::diagnostic::DiagnosticInfo;
 use crate::hand_over;
 use crate::input::InputFile;
 use crate::lists::PointLists;
-use crate::part::{DegradationOptions, SampleOptions};
+use crate::part::SampleOptions;
 use crate::primitive::PrimitiveInfo;
 use crate::report::{Protocol, Report};
 
@@ -124,15 +124,20 @@ impl Model {
         Ok(Self::of(sample::generate(part, &options)?))
     }
 
-    /// The model as a worse scan would show it, with its truth and without its submissions.
+    /// The model as a worse scan would show it, with its truth and without its submissions. The
+    /// points are there already, so that no spacing can be asked for.
     ///
     /// # Errors
     /// If an option is out of its range.
-    pub fn degraded(&self, options: Ts<DegradationOptions>) -> Result<Model, JsError> {
-        let options = options.to_rust()?;
-        let seed = options.seed.unwrap_or(sample::Options::default().seed);
+    pub fn degraded(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Omit<SampleOptions, \"spacing\">")] options: Ts<
+            SampleOptions,
+        >,
+    ) -> Result<Model, JsError> {
+        let options = sample::Options::from(options.to_rust()?);
         Ok(Self {
-            model: sample::degraded(&self.model, &options.into(), seed)?,
+            model: sample::degraded(&self.model, &options.degradation(), options.seed)?,
             diagnostics: self.diagnostics.clone(),
             method_of_file: BTreeMap::new(),
         })

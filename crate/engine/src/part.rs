@@ -57,38 +57,6 @@ impl From<SampleOptions> for sample::Options {
     }
 }
 
-/// How a model's cloud is made worse; lengths are fractions of the diagonal of its bounding box.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Tsify)]
-pub struct DegradationOptions {
-    /// Seed of everything random; 1 by default.
-    #[serde(default)]
-    #[tsify(optional)]
-    pub seed: Option<u64>,
-    /// Standard deviation of the normal noise added to each coordinate; 0 by default.
-    #[serde(default)]
-    #[tsify(optional)]
-    pub noise: Option<f64>,
-    /// Outliers per point that is left; 0 by default.
-    #[serde(default)]
-    #[tsify(optional)]
-    pub outliers: Option<f64>,
-    /// Fraction of the points cut away; 0 by default.
-    #[serde(default)]
-    #[tsify(optional)]
-    pub missing: Option<f64>,
-}
-
-impl From<DegradationOptions> for sample::Degradation {
-    fn from(options: DegradationOptions) -> Self {
-        let default = Self::default();
-        Self {
-            noise: options.noise.unwrap_or(default.noise),
-            outliers: options.outliers.unwrap_or(default.outliers),
-            missing: options.missing.unwrap_or(default.missing),
-        }
-    }
-}
-
 /// The parts that can be generated.
 ///
 /// # Errors

@@ -35,6 +35,21 @@ pub struct Worn {
 }
 
 impl Worn {
+    /// The points that are kept, in their order.
+    pub fn keeping(points: &[Point], kept: &[bool]) -> Self {
+        let mut number = 0;
+        let place = kept.iter().map(|&kept| {
+            number += u32::from(kept);
+            kept.then(|| number - 1)
+        });
+        let place = place.collect();
+        let left = points.iter().zip(kept).filter(|(_, kept)| **kept);
+        Self {
+            points: left.map(|(point, _)| *point).collect(),
+            place,
+        }
+    }
+
     /// What is left of a list of points, by their new indices.
     pub fn list(&self, points: &[u32]) -> Vec<u32> {
         let place = |&index: &u32| self.place.get(index as usize).copied().flatten();
@@ -51,20 +66,14 @@ pub fn degrade(points: &[Point], diagonal: f64, by: &Degradation, seed: u64) -> 
     } else {
         vec![true; points.len()]
     };
-    let mut number = 0;
-    let place = kept.iter().map(|&kept| {
-        number += u32::from(kept);
-        kept.then(|| number - 1)
-    });
-    let place = place.collect();
-    let left = points.iter().zip(&kept).filter(|(_, kept)| **kept);
-    let mut points: Vec<Point> = left.map(|(point, _)| *point).collect();
+    let mut worn = Worn::keeping(points, &kept);
     if by.noise > 0.0 {
-        shake(&mut points, by.noise * diagonal, &mut stream(1));
+        shake(&mut worn.points, by.noise * diagonal, &mut stream(1));
     }
-    let outliers = (by.outliers * points.len() as f64).round() as usize;
-    points.extend(stray(&points, outliers, &mut stream(2)));
-    Worn { points, place }
+    let outliers = (by.outliers * worn.points.len() as f64).round() as usize;
+    let strays = stray(&worn.points, outliers, &mut stream(2));
+    worn.points.extend(strays);
+    worn
 }
 
 /// Which points are left after regions are cut away: balls about points and half-spaces, as a

@@ -1,7 +1,7 @@
 //! CAD-like parts with known truth, made by a deterministic generator.
 //!
-//! [`generate`] makes one of the [`parts`] of the catalogue, [`build`] any [`blocks::Part`]. The
-//! points are spread as a surface mesher spreads vertices, which is what the benchmark's clouds
+//! [`generate`] makes one of the [`parts`] of the catalogue, [`build`] any [`blocks::Part`], which
+//! [`compose`] makes of [`Block`]s; [`degraded`] and [`without`] make a model worse. The points are spread as a surface mesher spreads vertices, which is what the benchmark's clouds
 //! look like: corners, then edges, then faces, all at about one distance; a point on an edge is
 //! listed by every primitive that meets there. A primitive is one connected patch of one surface.
 //! Free-form faces are sampled but belong to no primitive.
@@ -12,6 +12,8 @@
 pub mod blocks;
 mod boundary;
 mod catalogue;
+mod compose;
+mod cut;
 mod degrade;
 mod grid;
 mod imperfect;
@@ -22,7 +24,10 @@ mod random;
 use blocks::Part;
 use boundary::Boundary;
 pub use catalogue::{PartInfo, parts};
+pub use compose::{Block, MAX_BLOCKS, SHAPES, Shape, ShapeInfo, compose};
+pub use cut::{Lasso, MAX_CORNERS, Region, without};
 pub use degrade::Degradation;
+use degrade::Worn;
 pub use imperfect::imperfect;
 
 use crate::cloud::Cloud;
@@ -70,7 +75,7 @@ impl Options {
     }
 
     /// What is to be done to the clean cloud.
-    fn degradation(&self) -> Degradation {
+    pub fn degradation(&self) -> Degradation {
         Degradation {
             noise: self.noise,
             outliers: self.outliers,
@@ -128,6 +133,28 @@ pub enum SampleError {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// A block makes no solid.
+    #[error("block {block} ({shape}): {reason}")]
+    InvalidBlock {
+        /// Its place among the blocks, from 1.
+        block: usize,
+        /// Title of its shape.
+        shape: &'static str,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// More blocks than a part may have.
+    #[error("a part may have up to {limit} blocks")]
+    TooManyBlocks {
+        /// The most there may be.
+        limit: usize,
+    },
+    /// A region to cut away is none.
+    #[error("the region to cut away is not one: {reason}")]
+    InvalidRegion {
+        /// What is wrong with it.
+        reason: &'static str,
+    },
 }
 
 /// Makes a part of the catalogue. O(n) for n points, but for missing data, O(n log n); a few
@@ -181,23 +208,25 @@ pub fn degraded(model: &Model, degradation: &Degradation, seed: u64) -> Result<M
     degradation.check()?;
     let diagonal = model.cloud.bounds().diagonal();
     let worn = degrade::degrade(model.cloud.points(), diagonal, degradation, seed);
-    let truth = model.truth.as_ref().map(|truth| Segmentation {
-        primitives: truth
-            .primitives
-            .iter()
-            .map(|primitive| Primitive {
-                points: worn.list(&primitive.points),
-                ..primitive.clone()
-            })
-            .filter(|primitive| !primitive.points.is_empty())
-            .collect(),
-    });
     Ok(Model {
         name: model.name.clone(),
+        truth: model.truth.as_ref().map(|truth| truth_on(&worn, truth)),
         cloud: Cloud::new(worn.points),
-        truth,
         submissions: Vec::new(),
     })
+}
+
+/// The primitives of which points are left, with their new lists and their old numbers.
+fn truth_on(worn: &Worn, truth: &Segmentation) -> Segmentation {
+    let left = truth.primitives.iter().map(|primitive| Primitive {
+        points: worn.list(&primitive.points),
+        ..primitive.clone()
+    });
+    Segmentation {
+        primitives: left
+            .filter(|primitive| !primitive.points.is_empty())
+            .collect(),
+    }
 }
 
 fn primitive(number: u32, points: Vec<u32>, surface: Surface) -> Primitive {

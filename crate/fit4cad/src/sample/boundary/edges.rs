@@ -10,7 +10,7 @@ use crate::cloud::{Point, Vector};
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgePoint {
     pub point: Point,
-    /// The carriers that meet there, ascending, at least two.
+    /// The carriers that meet there, ascending.
     pub carriers: Vec<usize>,
 }
 
@@ -27,6 +27,11 @@ pub fn edge_points(boundary: &Boundary, spacing: f64) -> Vec<EdgePoint> {
     for curve in curves(boundary, spacing / 2.0) {
         edges.add(&curve);
     }
+    // A corner gathers carriers from a little way around, and near-tangent faces may miss it.
+    for EdgePoint { point, carriers } in &mut edges.points {
+        carriers.retain(|&carrier| boundary.is_on(carrier, point));
+    }
+    edges.points.retain(|edge| !edge.carriers.is_empty());
     edges.points
 }
 

@@ -18,6 +18,8 @@ use crate::cloud::{Bounds, Point, Vector};
 mod tolerance {
     /// A point lies on a carrier.
     pub const ON: f64 = 1e-10;
+    /// A point that several carriers meet in lies on each, as well as Newton's method finds it.
+    pub const MET: f64 = 1e-9;
     /// A step off a face, to see what is on either side of it.
     pub const OFF: f64 = 1e-9;
     /// A step within a face, to see whether it goes on there.
@@ -176,6 +178,14 @@ impl Boundary {
             foot.offset.abs() < on && self.remains_near(face, foot.chart, aside)
         };
         (0..self.faces.len()).filter(touches).collect()
+    }
+
+    /// Whether a point lies on a carrier.
+    fn is_on(&self, carrier: usize, point: &Point) -> bool {
+        let mut faces = 0..self.faces.len();
+        let face = faces.find(|&face| self.faces[face].carrier == carrier);
+        let offset = face.map(|face| self.foot(face, point).offset);
+        offset.is_some_and(|offset| offset.abs() <= tolerance::MET * self.diagonal)
     }
 
     /// Whether steps of some length, in two of many directions next to each other, from a point of

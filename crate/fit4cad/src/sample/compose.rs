@@ -1,0 +1,468 @@
+//! Parts composed of shapes that a few numbers describe, as a form can ask for them.
+
+use super::SampleError;
+use super::blocks::{Feature, Frame, Loop, Operation, Outline, Part, Solid};
+use crate::cloud::Vector;
+
+/// Most blocks of a part: sampling asks every block about the points of the others.
+pub const MAX_BLOCKS: usize = 64;
+
+/// Largest size or coordinate.
+const LARGEST: f64 = 1e6;
+
+/// A shape, centred on its block's position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// Six planes.
+    Cuboid,
+    /// A cuboid whose four edges along z are rounded.
+    RoundedCuboid,
+    /// A regular polygon along z.
+    Prism,
+    /// A round bar along z.
+    Cylinder,
+    /// A round bar along z with a round hole.
+    Tube,
+    /// A cone along z, whole or without its tip.
+    Cone,
+    /// A ball.
+    Sphere,
+    /// A ring about z.
+    Torus,
+}
+
+/// What there is to know of a shape before a block is made of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShapeInfo {
+    /// The shape.
+    pub shape: Shape,
+    /// Name by which it is asked for.
+    pub name: &'static str,
+    /// Name to be shown.
+    pub title: &'static str,
+    /// Its sizes in order: name, and a value to begin with.
+    pub sizes: &'static [(&'static str, f64)],
+}
+
+/// Every shape.
+pub const SHAPES: [ShapeInfo; 8] = {
+    const fn info(
+        shape: Shape,
+        name: &'static str,
+        title: &'static str,
+        sizes: &'static [(&'static str, f64)],
+    ) -> ShapeInfo {
+        ShapeInfo {
+            shape,
+            name,
+            title,
+            sizes,
+        }
+    }
+    [
+        info(
+            Shape::Cuboid,
+            "cuboid",
+            "Box",
+            &[("length", 60.0), ("width", 40.0), ("height", 20.0)],
+        ),
+        info(
+            Shape::RoundedCuboid,
+            "rounded",
+            "Rounded box",
+            &[
+                ("length", 60.0),
+                ("width", 40.0),
+                ("height", 20.0),
+                ("radius", 8.0),
+            ],
+        ),
+        info(
+            Shape::Prism,
+            "prism",
+            "Prism",
+            &[("sides", 6.0), ("radius", 20.0), ("height", 20.0)],
+        ),
+        info(
+            Shape::Cylinder,
+            "cylinder",
+            "Cylinder",
+            &[("radius", 10.0), ("height", 40.0)],
+        ),
+        info(
+            Shape::Tube,
+            "tube",
+            "Tube",
+            &[
+                ("outer radius", 15.0),
+                ("inner radius", 10.0),
+                ("height", 40.0),
+            ],
+        ),
+        info(
+            Shape::Cone,
+            "cone",
+            "Cone",
+            &[
+                ("lower radius", 20.0),
+                ("upper radius", 10.0),
+                ("height", 30.0),
+            ],
+        ),
+        info(Shape::Sphere, "sphere", "Sphere", &[("radius", 20.0)]),
+        info(
+            Shape::Torus,
+            "torus",
+            "Torus",
+            &[("major radius", 20.0), ("minor radius", 6.0)],
+        ),
+    ]
+};
+
+impl Shape {
+    /// Its entry in [`SHAPES`].
+    pub const fn info(self) -> &'static ShapeInfo {
+        // The table is in the order of the enumeration, which a test holds it to.
+        &SHAPES[self as usize]
+    }
+}
+
+/// A shape in its place, and what it does to the part so far.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Whether it is added or cut away.
+    pub operation: Operation,
+    /// The shape.
+    pub shape: Shape,
+    /// Its sizes, in the order of [`ShapeInfo::sizes`].
+    pub sizes: Vec<f64>,
+    /// Where its centre is.
+    pub position: [f64; 3],
+    /// Degrees by which it is turned about the axes through its centre: about x, then y, then z.
+    pub rotation: [f64; 3],
+}
+
+/// The part that blocks make, first to last.
+///
+/// # Errors
+/// [`SampleError::InvalidBlock`] names the first block that makes no solid and says why;
+/// [`SampleError::TooManyBlocks`] if there are more than [`MAX_BLOCKS`].
+pub fn compose(blocks: &[Block]) -> Result<Part, SampleError> {
+    if blocks.len() > MAX_BLOCKS {
+        return Err(SampleError::TooManyBlocks { limit: MAX_BLOCKS });
+    }
+    let feature = |(place, block): (usize, &Block)| {
+        let solid = block.solid().map_err(|reason| SampleError::InvalidBlock {
+            block: place + 1,
+            shape: block.shape.info().title,
+            reason,
+        })?;
+        Ok(Feature {
+            operation: block.operation,
+            solid,
+        })
+    };
+    let features = blocks.iter().enumerate().map(feature);
+    Ok(Part {
+        features: features.collect::<Result<_, _>>()?,
+    })
+}
+
+impl Block {
+    fn solid(&self) -> Result<Solid, String> {
+        let coordinates = self.position.iter().chain(&self.rotation);
+        if !coordinates.clone().all(|x| x.abs() <= LARGEST) {
+            return Err(format!(
+                "position and rotation must be numbers up to {LARGEST}"
+            ));
+        }
+        let (solid, middle) = self.upright()?;
+        let axes = axes(self.rotation);
+        let origin = Vector::from(self.position) - axes[2] * middle;
+        Ok(Solid {
+            frame: Frame {
+                origin: origin.into(),
+                z: axes[2].into(),
+                x: axes[0].into(),
+            },
+            ..solid
+        })
+    }
+
+    /// The solid before it is placed, and the height of its centre.
+    fn upright(&self) -> Result<(Solid, f64), String> {
+        let sizes = self.shape.info().sizes;
+        if self.sizes.len() != sizes.len() {
+            return Err(format!(
+                "it has {} sizes, not {}",
+                sizes.len(),
+                self.sizes.len()
+            ));
+        }
+        for (&size, (name, _)) in self.sizes.iter().zip(sizes) {
+            let pointed = self.shape == Shape::Cone && size == 0.0 && *name != "height";
+            if !(size > 0.0 && size <= LARGEST || pointed) {
+                return Err(format!(
+                    "its {name} must be positive and at most {LARGEST}, not {size}"
+                ));
+            }
+        }
+        let turned = |corners: &[[f64; 2]]| Solid::revolve(Outline::new(Loop::polygon(corners)));
+        Ok(match (self.shape, self.sizes.as_slice()) {
+            (Shape::Cuboid, &[length, width, height]) => {
+                let (x, y) = (length / 2.0, width / 2.0);
+                let outline = Outline::rectangle([-x, -y], [x, y]);
+                (Solid::extrude(outline, height), height / 2.0)
+            }
+            (Shape::RoundedCuboid, &[length, width, height, radius]) => {
+                let (x, y) = (length / 2.0, width / 2.0);
+                if radius > x.min(y) {
+                    return Err("its radius must be at most half its length and width".to_owned());
+                }
+                let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
+                let outline = Loop::rounded(&corners.map(|[x, y]| [x, y, radius]));
+                (Solid::extrude(Outline::new(outline), height), height / 2.0)
+            }
+            (Shape::Prism, &[sides, radius, height]) => {
+                if sides.fract() != 0.0 || !(3.0..=24.0).contains(&sides) {
+                    return Err(format!("it must have 3 to 24 sides, not {sides}"));
+                }
+                let corner = |k: u32| {
+                    let (sin, cos) = sincos_degrees(360.0 * f64::from(k) / sides);
+                    [radius * cos, radius * sin]
+                };
+                let corners: Vec<[f64; 2]> = (0..sides as u32).map(corner).collect();
+                let outline = Outline::new(Loop::polygon(&corners));
+                (Solid::extrude(outline, height), height / 2.0)
+            }
+            (Shape::Cylinder, &[radius, height]) => {
+                let outline = Outline::disc([0.0, 0.0], radius);
+                (Solid::extrude(outline, height), height / 2.0)
+            }
+            (Shape::Tube, &[outer, inner, height]) => {
+                if inner >= outer {
+                    return Err("its inner radius must be less than the outer one".to_owned());
+                }
+                let hole = Loop::circle([0.0, 0.0], inner);
+                let outline = Outline::disc([0.0, 0.0], outer).hole(hole);
+                (Solid::extrude(outline, height), height / 2.0)
+            }
+            (Shape::Cone, &[lower, upper, height]) => {
+                if lower == upper {
+                    return Err("its radii must differ; a cylinder has equal ones".to_owned());
+                }
+                let profile = [[0.0, 0.0], [lower, 0.0], [upper, height], [0.0, height]];
+                (turned(&profile), height / 2.0)
+            }
+            (Shape::Sphere, &[radius]) => {
+                let half = Loop::path([0.0, -radius]).arc([0.0, radius], 1.0);
+                (Solid::revolve(Outline::new(half)), 0.0)
+            }
+            (Shape::Torus, &[major, minor]) => {
+                if minor >= major {
+                    return Err("its minor radius must be less than the major one".to_owned());
+                }
+                let outline = Outline::disc([major, 0.0], minor);
+                (Solid::revolve(outline), 0.0)
+            }
+            _ => return Err("its sizes are not those of its shape".to_owned()),
+        })
+    }
+}
+
+/// The axes of the world turned by degrees about x, then y, then z.
+fn axes(rotation: [f64; 3]) -> [Vector; 3] {
+    let [about_x, about_y, about_z] = rotation.map(sincos_degrees);
+    [Vector::x(), Vector::y(), Vector::z()].map(|axis| {
+        let (sin, cos) = about_x;
+        let axis = Vector::new(
+            axis.x,
+            cos * axis.y - sin * axis.z,
+            sin * axis.y + cos * axis.z,
+        );
+        let (sin, cos) = about_y;
+        let axis = Vector::new(
+            cos * axis.x + sin * axis.z,
+            axis.y,
+            cos * axis.z - sin * axis.x,
+        );
+        let (sin, cos) = about_z;
+        Vector::new(
+            cos * axis.x - sin * axis.y,
+            sin * axis.x + cos * axis.y,
+            axis.z,
+        )
+    })
+}
+
+/// Sine and cosine, exact at quarter turns: a part's faces stay parallel to the axes.
+fn sincos_degrees(degrees: f64) -> (f64, f64) {
+    let quarters = (degrees / 90.0).round();
+    let (sin, cos) = libm::sincos((degrees - 90.0 * quarters).to_radians());
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Model;
+    use crate::sample::{Options, build};
+    use crate::surface::SurfaceType;
+    use proptest::prelude::*;
+
+    const COARSE: Options = Options {
+        seed: 1,
+        spacing: 0.03,
+        noise: 0.0,
+        outliers: 0.0,
+        missing: 0.0,
+    };
+
+    fn block(shape: Shape) -> Block {
+        let sizes = shape.info().sizes.iter().map(|(_, size)| *size);
+        Block {
+            operation: Operation::Add,
+            shape,
+            sizes: sizes.collect(),
+            position: [0.0; 3],
+            rotation: [0.0; 3],
+        }
+    }
+
+    fn made(blocks: &[Block]) -> Model {
+        build("composed", &compose(blocks).unwrap(), &COARSE).unwrap()
+    }
+
+    fn types(model: &Model) -> [usize; 5] {
+        let truth = model.truth.as_ref().unwrap();
+        SurfaceType::ALL.map(|kind| {
+            let same = |each: &&crate::model::Primitive| each.kind == Some(kind);
+            truth.primitives.iter().filter(same).count()
+        })
+    }
+
+    fn reason(blocks: &[Block]) -> String {
+        compose(blocks).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn the_table_is_in_the_order_of_the_shapes() {
+        for info in &SHAPES {
+            assert_eq!(info.shape.info(), info);
+        }
+    }
+
+    #[test]
+    fn every_shape_is_made_of_its_surfaces_about_its_centre() {
+        // Planes, cylinders, cones, spheres, tori.
+        let surfaces = [
+            [6, 0, 0, 0, 0],
+            [6, 4, 0, 0, 0],
+            [8, 0, 0, 0, 0],
+            [2, 1, 0, 0, 0],
+            [2, 2, 0, 0, 0],
+            [2, 0, 1, 0, 0],
+            [0, 0, 0, 1, 0],
+            [0, 0, 0, 0, 1],
+        ];
+        for (info, expected) in SHAPES.iter().zip(surfaces) {
+            let model = made(&[block(info.shape)]);
+            assert_eq!(types(&model), expected, "{}", info.name);
+            let bounds = model.cloud.bounds();
+            let centre = bounds.centre().coords.norm() / bounds.diagonal();
+            assert!(centre < 0.02, "{}: {centre}", info.name);
+        }
+    }
+
+    #[test]
+    fn a_quarter_turn_keeps_faces_parallel_to_the_axes_exactly() {
+        let mut cuboid = block(Shape::Cuboid);
+        cuboid.rotation = [90.0, 180.0, -450.0];
+        cuboid.position = [100.0, 0.0, 0.0];
+        let bounds = made(&[cuboid]).cloud.bounds();
+        assert_eq!(bounds.min, [90.0, -30.0, -20.0].into());
+        assert_eq!(bounds.max, [110.0, 30.0, 20.0].into());
+    }
+
+    #[test]
+    fn rotations_come_about_x_then_y_then_z() {
+        let [x, y, z] = axes([90.0, 90.0, 0.0]);
+        assert_eq!((x, y, z), (-Vector::z(), Vector::x(), -Vector::y()));
+    }
+
+    #[test]
+    fn a_hole_through_a_box_is_a_cylinder() {
+        let hole = Block {
+            operation: Operation::Cut,
+            ..block(Shape::Cylinder)
+        };
+        assert_eq!(types(&made(&[block(Shape::Cuboid), hole])), [6, 1, 0, 0, 0]);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_block_is_said_with_its_number() {
+        let good = block(Shape::Cuboid);
+        let mut tube = block(Shape::Tube);
+        tube.sizes = vec![5.0, 5.0, 10.0];
+        assert_eq!(
+            reason(&[good.clone(), tube]),
+            "block 2 (Tube): its inner radius must be less than the outer one"
+        );
+        let mut flat = good.clone();
+        flat.sizes[2] = 0.0;
+        assert!(reason(&[flat]).contains("its height must be positive"));
+        let mut nowhere = good.clone();
+        nowhere.position[1] = f64::NAN;
+        assert!(reason(&[nowhere]).contains("position"));
+        let mut prism = block(Shape::Prism);
+        prism.sizes[0] = 4.5;
+        assert!(reason(&[prism]).contains("3 to 24 sides"));
+        let mut short = good.clone();
+        short.sizes.pop();
+        assert!(reason(&[short]).contains("3 sizes, not 2"));
+        assert!(reason(&vec![good; MAX_BLOCKS + 1]).contains("64 blocks"));
+    }
+
+    fn any_block() -> impl Strategy<Value = Block> {
+        let shape = prop::sample::select(SHAPES.map(|info| info.shape).to_vec());
+        let place = [-2i32..=2, -2i32..=2, -2i32..=2];
+        let turn = [0i32..4, 0i32..4, 0i32..12];
+        (shape, any::<bool>(), place, turn).prop_map(|(shape, add, place, turn)| Block {
+            operation: if add { Operation::Add } else { Operation::Cut },
+            // Steps of the sizes themselves: faces of blocks coincide and touch.
+            position: place.map(|step| f64::from(step) * 10.0),
+            rotation: [
+                f64::from(turn[0]) * 90.0,
+                f64::from(turn[1]) * 90.0,
+                f64::from(turn[2]) * 30.0,
+            ],
+            ..block(shape)
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+
+        #[test]
+        fn points_of_any_composition_lie_on_their_surfaces(
+            blocks in prop::collection::vec(any_block(), 1..5),
+        ) {
+            let Ok(model) = build("composed", &compose(&blocks).unwrap(), &COARSE) else {
+                return Ok(());
+            };
+            let diagonal = model.cloud.bounds().diagonal();
+            for primitive in &model.truth.as_ref().unwrap().primitives {
+                let surface = primitive.surface.unwrap();
+                for &index in &primitive.points {
+                    let distance = surface.distance(&model.cloud.points()[index as usize]);
+                    prop_assert!(distance <= 1e-8 * diagonal, "{distance}");
+                }
+            }
+        }
+    }
+}
