@@ -1,4 +1,4 @@
-// Builds the two wasm modules and, from them, the static page in www/dist.
+// Builds the wasm modules and, from them, the static page in www/dist.
 
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
@@ -24,16 +24,16 @@ const OPTIMISE = ["-O3", ...FEATURES.map((feature) => `--enable-${feature}`)];
 /** Crate, name of the generated module, and the folders that get it. */
 const MODULES = [
   { crate: "fit4cad-engine", name: "engine", folders: ["www/generated/engine", "bin/engine"] },
+  { crate: "fit4cad-scorer", name: "scorer", folders: ["www/generated/scorer"] },
   { crate: "fit4cad-view", name: "view", folders: ["www/generated/view"] },
 ];
 
-/** Builds both wasm modules; does nothing where neither sources nor tools have changed. */
+/** Builds the wasm modules; does nothing where neither sources nor tools have changed. */
 export async function buildWasm() {
-  await run("cargo", [
-    ...["build", "--release", "--locked", "--quiet", "--target", WASM_TARGET],
-    ...MODULES.flatMap(({ crate }) => ["--package", crate]),
-  ]);
   for (const module of MODULES) {
+    // One at a time: built together, the scorer would get every feature that the engine asks for.
+    const build = ["build", "--release", "--locked", "--quiet", "--target", WASM_TARGET];
+    await run("cargo", [...build, "--package", module.crate]);
     await generate(module);
   }
 }

@@ -1,4 +1,4 @@
-// What a visitor has to download before the engine can start.
+// What a visitor has to download: the scorer and the view at once, the whole engine at the first fit.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -9,7 +9,8 @@ export const name = "size";
 export const about = "wasm as served";
 
 const MODULES = [
-  { label: "engine", path: "www/generated/engine/engine_bg.wasm", most: 350 },
+  { label: "scorer", path: "www/generated/scorer/scorer_bg.wasm" },
+  { label: "whole engine", path: "www/generated/engine/engine_bg.wasm", most: 350 },
   { label: "view", path: "www/generated/view/view_bg.wasm" },
 ];
 

@@ -1,7 +1,9 @@
 // The engine in a worker. One call, one answer; the model read last is kept in case it is wanted again.
+// It starts as the scorer; the whole engine, with the fitters, is fetched when it is first asked for.
 
 import * as Comlink from "comlink";
-import init, { Model, distribution, fitParameters, group, parts, version } from "../generated/engine/engine.js";
+import init, { Model, distribution, group, parts, version } from "../generated/scorer/scorer.js";
+import type { InputFile } from "../generated/engine/engine.js";
 import type {
   EngineWorker,
   FittedModel,
@@ -14,6 +16,23 @@ import type {
 
 const ready = init();
 
+let fetched: ReturnType<typeof fetchWhole> | undefined;
+
+async function fetchWhole() {
+  const whole = await import("../generated/engine/engine.js");
+  await whole.default();
+  return whole;
+}
+
+/** The whole engine. A fetch that failed, as it does offline, is tried again the next time. */
+function wholeEngine(): ReturnType<typeof fetchWhole> {
+  fetched ??= fetchWhole().catch((error: unknown) => {
+    fetched = undefined;
+    throw error;
+  });
+  return fetched;
+}
+
 const PACE_MS = 80;
 
 let held: { key: string; model: Model } | undefined;
@@ -23,7 +42,13 @@ async function read(source: ModelSource): Promise<Model> {
   if (held?.key === source.key) return held.model;
   held?.model.free();
   held = undefined;
-  const files = await Promise.all(
+  const model = Model.read(source.name, await contents(source));
+  held = { key: source.key, model };
+  return model;
+}
+
+function contents(source: ModelSource): Promise<InputFile[]> {
+  return Promise.all(
     source.files.map(async ({ path, role, method, data }) => ({
       path,
       role,
@@ -31,9 +56,6 @@ async function read(source: ModelSource): Promise<Model> {
       bytes: new Uint8Array(await data.arrayBuffer()),
     })),
   );
-  const model = Model.read(source.name, files);
-  held = { key: source.key, model };
-  return model;
 }
 
 function segmentation(model: Model, method?: string): SegmentationScene {
@@ -50,7 +72,7 @@ function buffersOf(scene: SegmentationScene | undefined): Transferable[] {
   return scene ? [scene.offsets.buffer, scene.indices.buffer, scene.distances.buffer] : [];
 }
 
-function written(model: Model, name: string, method?: string): ModelFile[] {
+function written(model: Pick<Model, "write">, name: string, method?: string): ModelFile[] {
   const { cloud, primitives, parametric, implicit } = model.write(method);
   const folder = method === undefined ? "" : `_${method}`;
   const file = (role: ModelFile["role"], text: string): ModelFile => {
@@ -158,20 +180,18 @@ const worker: EngineWorker = {
   },
 
   async fitParameters(method) {
-    await ready;
-    return fitParameters(method);
+    return (await wholeEngine()).fitParameters(method);
   },
 
   async fit(source, { method, parameters, seed }, onStage): Promise<FittedModel> {
-    const model = await read(source);
+    const whole = await wholeEngine();
+    const model = whole.Model.read(source.name, await contents(source));
     try {
       const start = performance.now();
       const name = model.fit(method, { ...parameters }, seed, paced(onStage));
       const seconds = (performance.now() - start) / 1000;
       return { method: name, files: written(model, source.name, name), primitives: model.primitives(name).length, seconds };
     } finally {
-      // It now holds more than its files say.
-      held = undefined;
       model.free();
     }
   },

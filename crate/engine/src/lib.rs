@@ -4,12 +4,15 @@
 //! generated from the Rust ones. Nothing is computed here: each function reads its arguments, calls
 //! the engine and hands the result over. Failures are JavaScript errors with a clear text.
 
+#[cfg(feature = "workshop")]
 mod audit;
 mod diagnostic;
+#[cfg(feature = "workshop")]
 mod fit;
 mod group;
 mod imperfect;
 mod input;
+#[cfg(feature = "workshop")]
 mod lesson;
 mod lists;
 mod look;
@@ -22,16 +25,22 @@ mod stop;
 mod studio;
 mod summary;
 
+#[cfg(feature = "workshop")]
 pub use audit::{Audit, Corrected, Correction, Finding, FormAudit, PrimitiveAudit};
 pub use diagnostic::{DiagnosticInfo, Severity};
+#[cfg(feature = "workshop")]
 pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
+#[cfg(feature = "workshop")]
 pub use lesson::forms::{FormComparison, Forms, SurfaceSliders};
+#[cfg(feature = "workshop")]
 pub use lesson::growing::{GrowingLesson, PartitionInfo, SlippageInfo, SplitInfo};
+#[cfg(feature = "workshop")]
 pub use lesson::hough::{
     AxisInfo, CellInfo, HoughLesson, MaximumInfo, PolishInfo, RivalInfo, SliceInfo,
 };
+#[cfg(feature = "workshop")]
 pub use lesson::painting::{CountsInfo, PaintedScore};
 pub use lists::PointLists;
 pub use look::PatchMesh;
