@@ -5,6 +5,7 @@ import type { Locator, Page, Route } from "@playwright/test";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { zipOf } from "./support/drop";
 import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
+import { claims, linkOf, openLink } from "./support/sharing";
 
 /** As raw GitHub answers: to anyone. */
 const CORS = { "access-control-allow-origin": "*" };
@@ -40,6 +41,26 @@ test("test models bring the published results of HT and PG, which are scored", a
   // PG publishes no surfaces: its classification is the same, its accuracy cannot be told.
   const segmentation = scoreOf(two.filter(({ path }) => !/(parametric|implicit)_/.test(path)));
   expect(await measuresIn(row(page, "PC2").filter({ hasText: "PG" }))).toEqual(segmentation.mean);
+});
+
+test("the link of public models fetches what the sharer looked at, and the rest when asked", async ({ page }) => {
+  const [two, four] = [filesOf("bracket", "PC2"), filesOf("flange", "PC4")];
+  const asked = await serve(page, PUBLIC, [...testSet(two), ...testSet(four), ...training(filesOf("housing", "PC2"))]);
+  await open(page);
+  await download(page, "2, 4");
+  await expect(rows(page)).toHaveCount(4);
+  await row(page, "PC4").filter({ hasText: "HT" }).getByRole("rowheader").getByRole("button").click();
+  const link = await linkOf(page);
+  asked.length = 0;
+  await openLink(page, link);
+  await expect(page.locator(".models li")).toHaveText(/PC4/);
+  await expect(claims(page).filter({ hasText: "PC4" })).toContainText("verified here");
+  expect(asked.every((path) => path.includes("PC4"))).toBe(true);
+  await page.getByRole("button", { name: "Download 1 public model" }).click();
+  await expect(page.locator(".banner")).toContainText("Verified here.");
+  await expect(page.locator(".stage h2")).toHaveText("PC2");
+  // The training set has a PC2 as well.
+  expect(asked.every((path) => !path.includes("training_set"))).toBe(true);
 });
 
 test("a missing file is named and the rest is scored", async ({ page, complaints }) => {

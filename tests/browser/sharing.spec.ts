@@ -138,6 +138,31 @@ test("the link of a sample makes the scene again, with selection, colours and pr
   expect(again?.camera?.height).toBeCloseTo(view?.camera?.height ?? NaN, 2);
 });
 
+test("the link of a fit on this page repeats it, and what stood beside it", async ({ page }) => {
+  await open(page);
+  await page.getByRole("tab", { name: "Fit", exact: true }).click();
+  const panel = page.getByRole("tabpanel");
+  await panel.getByRole("radio", { name: "PG" }).check({ force: true });
+  await panel.getByLabel("Smallest", { exact: true }).fill("12");
+  await panel.getByLabel("Seed", { exact: true }).fill("5");
+  await panel.getByRole("button", { name: /^Fit / }).click();
+  await expect(page.getByLabel("Right view").locator("option:checked")).toHaveText("PG", { timeout: 45_000 });
+  await page.getByLabel("Left view").selectOption({ label: "Imperfect" });
+  await page.getByRole("tab", { name: "Measures" }).click();
+  await expect(rows(page)).toHaveCount(2);
+  const scored = await measuresIn(rows(page).filter({ hasText: "PG" }));
+  const link = await linkOf(page);
+  const { claims: shared, view } = readFragment(link.split("#")[1] ?? "");
+  expect(shared.map(({ fitted }) => fitted)).toEqual([{ method: "pg", seed: 5, parameters: { smallest: 12 } }]);
+  expect(view).toMatchObject({ method: "PG", left: "Imperfect" });
+
+  await openLink(page, link);
+  await expect(page.locator(".banner")).toContainText("Verified here.", { timeout: 45_000 });
+  await expect(claims(page).locator(`td[title="${scored["DSC"]}"]`)).not.toHaveCount(0);
+  await expect(page.getByLabel("Right view").locator("option:checked")).toHaveText("PG");
+  await expect(page.getByLabel("Left view").locator("option:checked")).toHaveText("Imperfect");
+});
+
 test("a damaged link says so, and the page works on", async ({ page }) => {
   await open(page);
   const link = await linkOf(page);

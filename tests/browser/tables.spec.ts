@@ -1,7 +1,7 @@
 import { expect, open, picture, row, rows, test } from "./support/test";
 import { filesOf, scoreOf } from "./support/engine";
 import { drop, writeAll } from "./support/drop";
-import { contentOf, LEFT } from "./support/pixels";
+import { contentOf, LEFT, RIGHT } from "./support/pixels";
 
 test("the summary sorts by a measure, both ways and back", async ({ page }) => {
   const folder = test.info().outputPath("three");
@@ -107,7 +107,32 @@ test("a second submission of the same model is scored beside the first", async (
   await drop(page, [folder]);
   await expect(row(page, "PC9")).toHaveCount(2);
   await row(page, "PC9").filter({ hasText: "Mine" }).getByRole("rowheader").getByRole("button").click();
-  await expect(page.locator(".side-name.prediction")).toHaveText("Mine");
+  const [left, right] = [page.getByLabel("Left view"), page.getByLabel("Right view")];
+  await expect(right.locator("option:checked")).toHaveText("Mine");
+  await expect(left.locator("option:checked")).toHaveText("Truth");
+
+  // Both submissions beside each other, matches in the colour of their true primitive.
+  await left.selectOption({ label: "Imperfect" });
+  await page.getByLabel("Colour").selectOption({ label: "The paper's figure" });
+  await expect(left.locator("option:checked")).toHaveText("Imperfect");
+  const canvas = page.locator(".canvas-box canvas");
+  await page.getByRole("button", { name: "Display" }).click();
+  await page.getByLabel("Depth shading").uncheck();
+  await page.keyboard.press("Escape");
+  for (const part of [LEFT, RIGHT]) await expect.poll(async () => (await contentOf(page, canvas, part)).black).toBeGreaterThan(0.005);
+  await picture(page, "two-submissions");
+  // A primitive of the one on the left brings its true primitive and the other's match with it.
+  await page.getByLabel("Colour").selectOption({ label: "Segments" });
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  const box = await canvas.boundingBox();
+  if (!box) throw new Error("no canvas");
+  await page.mouse.click(box.x + box.width * 0.25, box.y + box.height * 0.55);
+  await expect(page.getByRole("group", { name: "Selected primitive" }).locator("strong")).toHaveText(/^Imperfect \d+: /);
+  await expect(page.locator("table.primitives tbody tr[aria-current]")).not.toHaveCount(0);
+  await right.selectOption({ label: "Truth" });
+  await expect(page.getByRole("group", { name: "Selected primitive" }).getByRole("button", { name: "Frame" })).toBeVisible();
+  await left.selectOption({ label: "Truth" });
+  await expect(page.getByRole("group", { name: "Selected primitive" })).toHaveCount(0);
 });
 
 test("the paper's layout sets the methods beside each other, with the means at the foot", async ({ page }) => {

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { deflateSync } from "fflate";
+import { deflateSync, inflateSync } from "fflate";
 import { MEASURES } from "../../bin/formats/measures.mjs";
 import { pageModule } from "./page.mjs";
 import { generator } from "./random.mjs";
@@ -10,7 +10,7 @@ const { isShared } = await pageModule("sharing/fragment.ts");
 const { MAX_FRAGMENT, readFragment, writeFragment } = await pageModule("sharing/codec/link.ts");
 const { crc32 } = await pageModule("sharing/codec/crc32.ts");
 const { toBase64Url } = await pageModule("sharing/codec/base64url.ts");
-const { write } = await pageModule("sharing/codec/version1.ts");
+const { write } = await pageModule("sharing/codec/version2.ts");
 
 const PAGE = "https://name-of-the-group.github.io/fit4cad-playground/";
 const CAMERA = {
@@ -60,9 +60,15 @@ test("results come out of a link as they went in, to the last bit", () => {
   delete shared.models[2].inputs;
   shared.models[3].origin = { kind: "sample", part: "flange", options: { seed: 7, noise: 0.001 } };
   shared.models[4].origin = { kind: "public" };
+  shared.models[5].origin = { kind: "public", model: { set: "training", number: 190 } };
+  shared.models[6].origin = { kind: "public", model: { set: "test", number: 1 } };
+  shared.claims[2].fitted = { method: "pg", seed: 2 ** 32 - 1, parameters: { tolerance: 0.0125, fuzzy_border: 0 } };
+  shared.claims[3].fitted = { method: "ht", seed: 0, parameters: {} };
+  shared.claims[9].fitted = { method: "pg", seed: 2 ** 32 - 1, parameters: { fuzzy_border: 0, tolerance: 0.0125 } };
+  Object.assign(shared.view, { left: "A/B <i>", rightIsTruth: true, primitive: { side: "rival", index: 7 } });
   const fragment = writeFragment(shared);
   assert.ok(isShared(fragment));
-  assert.match(fragment, /^#share=1\.[\w-]+$/);
+  assert.match(fragment, /^#share=2\.[\w-]+$/);
   assert.deepEqual(readFragment(fragment), shared);
 });
 
@@ -76,7 +82,12 @@ test("a link needs no view and no results", () => {
 test("a link with ten models stays below 2,000 characters, one with thirty-five below 5,000", (t) => {
   for (const [count, most] of [[10, 2_000], [35, 5_000]]) {
     for (let seed = 1; seed <= 20; seed += 1) {
-      const { length } = PAGE + writeFragment(results(count, ["MINE"], seed));
+      const shared = results(count, ["MINE"], seed);
+      // What a fit of public models adds comes within the same bound.
+      const fitted = { method: "pg", seed: 7, parameters: { tolerance: 0.0125 } };
+      shared.models.forEach((model, i) => (model.origin = { kind: "public", model: { set: "test", number: i + 1 } }));
+      for (const claim of shared.claims) claim.fitted = fitted;
+      const { length } = PAGE + writeFragment(shared);
       assert.ok(length <= most, `${count} models take ${length} characters`);
       if (seed === 1) t.diagnostic(`${count} models: ${length} characters`);
     }
@@ -97,15 +108,19 @@ test("names are cut to what a link holds, between characters, and lose what cann
   assert.equal(hidden.name, "a\ufffdb\ufffdc\ufffd\ufffdd");
 });
 
-test("a link of version 1 stays readable", () => {
-  const { fragment, results: expected } = JSON.parse(
-    readFileSync(new URL("fixtures/share-version-1.json", import.meta.url), "utf8"),
-  );
-  assert.deepEqual(readFragment(fragment), expected);
-});
+function fixture(version) {
+  return JSON.parse(readFileSync(new URL(`fixtures/share-version-${version}.json`, import.meta.url), "utf8"));
+}
+
+for (const version of [1, 2]) {
+  test(`a link of version ${version} stays readable`, () => {
+    const { fragment, results: expected } = fixture(version);
+    assert.deepEqual(readFragment(fragment), expected);
+  });
+}
 
 test("a link of a version to come says that the page must be reloaded", () => {
-  const later = writeFragment(results(1)).replace("=1.", "=2.");
+  const later = writeFragment(results(1)).replace("=2.", "=3.");
   assert.throws(() => readFragment(later), /made by a newer version of the playground/);
 });
 
@@ -124,7 +139,7 @@ test("every missing, changed or added character is noticed", () => {
 });
 
 /** A link whose checksum is right, whatever it holds. */
-function forged(content, announced = content.length) {
+function forged(content, announced = content.length, version = 2) {
   const length = [];
   for (let rest = announced; ; rest = Math.floor(rest / 128)) {
     length.push(rest < 128 ? rest : (rest % 128) | 128);
@@ -132,7 +147,13 @@ function forged(content, announced = content.length) {
   }
   const body = Uint8Array.from([...length, ...deflateSync(content, { level: 9 })]);
   const sum = new Uint8Array(Uint32Array.of(crc32(body)).buffer);
-  return `#share=1.${toBase64Url(Uint8Array.from([...sum, ...body]))}`;
+  return `#share=${version}.${toBase64Url(Uint8Array.from([...sum, ...body]))}`;
+}
+
+/** What a link holds, without checksum and length. */
+function contentOf(fragment) {
+  const body = Buffer.from(fragment.slice(fragment.indexOf(".") + 1), "base64url").subarray(4);
+  return inflateSync(body.subarray(body.findIndex((byte) => byte < 128) + 1));
 }
 
 test("a link that unpacks to more than it says is refused without taking the memory", () => {
@@ -143,16 +164,18 @@ test("a link that unpacks to more than it says is refused without taking the mem
 });
 
 test("a link longer than any is refused unread", () => {
-  assert.throws(() => readFragment(`#share=1.${"A".repeat(MAX_FRAGMENT)}`), /longer than any/);
+  assert.throws(() => readFragment(`#share=2.${"A".repeat(MAX_FRAGMENT)}`), /longer than any/);
 });
 
 test("a hostile link gives results within bounds or an error in words, nothing else", () => {
   const random = generator(42);
   const pick = (most) => Math.floor(random() * most);
-  const seeds = [results(1), results(10), results(2, ["a", "b"])].map(write);
+  const written = [results(1), results(10), results(2, ["a", "b"]), fixture(2).results];
+  const seeds = [...written.map((shared) => ({ content: write(shared), version: 2 })), { content: contentOf(fixture(1).fragment), version: 1 }];
   let read = 0;
   for (let round = 0; round < 20_000; round += 1) {
-    const content = Array.from(seeds[pick(seeds.length)]);
+    const { content: seed, version } = seeds[pick(seeds.length)];
+    const content = Array.from(seed);
     for (let edits = 1 + pick(4); edits > 0; edits -= 1) {
       const at = pick(content.length);
       const kind = pick(4);
@@ -163,7 +186,7 @@ test("a hostile link gives results within bounds or an error in words, nothing e
     }
     let shared;
     try {
-      shared = readFragment(forged(Uint8Array.from(content)));
+      shared = readFragment(forged(Uint8Array.from(content), content.length, version));
     } catch (error) {
       assert.equal(error.name, "Damaged", error.stack);
       continue;
@@ -180,7 +203,7 @@ test("random characters never read as a link", () => {
   for (let round = 0; round < 5_000; round += 1) {
     const length = Math.floor(random() * 300);
     const text = Array.from({ length }, () => letters[Math.floor(random() * letters.length)]).join("");
-    assert.throws(() => readFragment(`#share=1.${text}`), { name: "Damaged" });
+    assert.throws(() => readFragment(`#share=${1 + (round % 2)}.${text}`), { name: "Damaged" });
   }
 });
 
@@ -190,6 +213,13 @@ function assertWithinBounds({ engine, protocol, models, claims, view }) {
   const names = [engine, ...models.map(({ name }) => name), ...claims.map(({ method }) => method)];
   // eslint-disable-next-line no-control-regex -- they are what must not be there
   for (const name of names) assert.ok(name.length <= 200 && !/[\u0000-\u001f\u202e]/.test(name));
+  for (const { origin } of models) {
+    if (origin.model) assert.ok(origin.model.number >= 1 && origin.model.number <= { training: 190, test: 35 }[origin.model.set]);
+  }
+  for (const { fitted } of claims.filter((claim) => claim.fitted)) {
+    assert.ok(["ht", "pg"].includes(fitted.method) && fitted.seed < 2 ** 32);
+    assert.ok(Object.values(fitted.parameters).every(Number.isFinite));
+  }
   for (const { model, mean, predicted } of claims) {
     assert.ok(model < models.length && Number.isSafeInteger(predicted));
     assert.deepEqual(Object.keys(mean), [...MEASURES]);

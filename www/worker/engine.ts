@@ -144,17 +144,19 @@ const worker: EngineWorker = {
     return { info, reports };
   },
 
-  async open(source, method) {
+  async open(source, method, rivalMethod) {
     const model = await read(source);
     const positions = model.positions() as Float32Array<ArrayBuffer>;
     const centre = model.centre() as Float64Array<ArrayBuffer>;
     const truth = model.info().hasTruth ? segmentation(model) : undefined;
     const prediction = method === undefined ? undefined : segmentation(model, method);
-    return Comlink.transfer({ key: source.key, method, positions, centre, truth, prediction }, [
+    const rival = rivalMethod === undefined ? undefined : { method: rivalMethod, segmentation: segmentation(model, rivalMethod) };
+    return Comlink.transfer({ key: source.key, method, positions, centre, truth, prediction, rival }, [
       positions.buffer,
       centre.buffer,
       ...buffersOf(truth),
       ...buffersOf(prediction),
+      ...buffersOf(rival?.segmentation),
     ]);
   },
 

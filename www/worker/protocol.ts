@@ -67,7 +67,10 @@ export interface ModelScene {
   readonly positions: Float32Array<ArrayBuffer>;
   readonly centre: Float64Array<ArrayBuffer>;
   readonly truth: SegmentationScene | undefined;
+  /** The submission of `method`. */
   readonly prediction: SegmentationScene | undefined;
+  /** Another submission, to be set beside it. */
+  readonly rival: { readonly method: string; readonly segmentation: SegmentationScene } | undefined;
 }
 
 /** The text files a segmentation is written as. */
@@ -105,7 +108,7 @@ export interface EngineWorker {
   /** Makes a sample part: the four files of its truth and those of an imperfect submission. */
   generate(part: string, options: SampleOptions): Promise<WrittenFiles>;
   score(source: ModelSource): Promise<ScoredModel>;
-  open(source: ModelSource, method: string | undefined): Promise<ModelScene>;
+  open(source: ModelSource, method: string | undefined, rival: string | undefined): Promise<ModelScene>;
   /** Unit normal of every point, without a sign. */
   normals(source: ModelSource): Promise<Float32Array<ArrayBuffer>>;
   /** The patch of a primitive's surface that its points cover; of the truth where no method is given. */

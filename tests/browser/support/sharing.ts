@@ -9,7 +9,7 @@ import type { Fixture } from "./engine";
 export async function linkOf(page: Page): Promise<string> {
   await page.getByRole("button", { name: "Share", exact: true }).click();
   const link = page.getByLabel("Link", { exact: true });
-  await expect(link).toHaveValue(/#share=1\./);
+  await expect(link).toHaveValue(/#share=2\./);
   const value = await link.inputValue();
   await page.keyboard.press("Escape");
   return value;

@@ -3,10 +3,10 @@
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
 import type { SegmentationScene } from "../../worker/protocol";
-import { pairOf, segmentColours } from "../stage/colouring";
+import { partnersOf, segmentationOf, segmentColours } from "../stage/colouring";
+import { reports } from "../stage/reports";
 import { scene } from "../state/scene";
-import { selectedModel, selectedPrimitive, selectedReports, togglePrimitive, type Side } from "../state/selection";
-import { protocol } from "../state/settings";
+import { selectedModel, selectedPrimitive, togglePrimitive, type PrimitiveRef, type Side } from "../state/selection";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
@@ -39,24 +39,21 @@ const histogram = computed<Histogram | undefined>(() => {
   const state = scene.value;
   const model = selectedModel.value;
   if (state.kind !== "ready" || model === undefined) return undefined;
-  const { truth, prediction, method } = state.scene;
-  const report = selectedReports.value?.[protocol.value];
+  const { method, rival } = state.scene;
   const selected = selectedPrimitive.value;
-  const pair = selected && (report ? pairOf(report, selected) : selected.side === "truth" ? { truth: selected.index } : { match: selected.index });
-  const sides = [
-    { side: "truth", series: "Truth", segmentation: truth, only: pair?.truth },
-    { side: "prediction", series: method ?? "", segmentation: prediction, only: pair?.match },
-  ] as const;
-  const wanted = sides.flatMap(({ side, series, segmentation, only }) => {
+  const partners = selected && partnersOf(reports.value, selected);
+  const series = { truth: "Truth", prediction: method ?? "", rival: rival?.method ?? "" };
+  const wanted = (["truth", "prediction", "rival"] as const).flatMap((side) => {
+    const segmentation = segmentationOf(state.scene, side);
     if (!segmentation) return [];
-    const places = !pair ? segmentation.primitives.map((_, place) => place) : only === undefined ? [] : [only];
-    const colours = segmentColours(side === "truth" ? 0 : 1, { scene: state.scene, report, selected }, segmentation.primitives.length);
-    return [{ side, series, segmentation, places, colours }];
+    const only = partners?.[side];
+    const places = !partners ? segmentation.primitives.map((_, place) => place) : only === undefined ? [] : [only];
+    return [{ side, series: series[side], segmentation, places, colours: segmentColours(side, reports.value, segmentation.primitives.length) }];
   });
   const limit = Math.max(0, ...wanted.map(({ segmentation, places }) => largest(segmentation, places)));
   return {
     model,
-    primitive: selected && wanted.find(({ side }) => side === selected.side) && nameOf(selected.side, selected.side === "truth" ? truth : prediction, selected.index),
+    primitive: selected && nameOf(selected, segmentationOf(state.scene, selected.side), series[selected.side]),
     limit,
     halves: wanted.map(({ side, series, segmentation, places, colours }) => ({
       side,
@@ -72,8 +69,9 @@ const histogram = computed<Histogram | undefined>(() => {
   };
 });
 
-function nameOf(side: Side, segmentation: SegmentationScene | undefined, place: number): string {
-  return `${side === "truth" ? "true" : "predicted"} primitive ${segmentation?.primitives[place]?.number ?? place + 1}`;
+function nameOf({ side, index }: PrimitiveRef, segmentation: SegmentationScene | undefined, series: string): string | undefined {
+  const whose = { truth: "true primitive", prediction: "predicted primitive", rival: `primitive of ${series},` }[side];
+  return segmentation && `${whose} ${segmentation.primitives[index]?.number ?? index + 1}`;
 }
 
 interface Row {

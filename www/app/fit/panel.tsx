@@ -51,7 +51,7 @@ export default function FitPanel(): JSX.Element {
           event.preventDefault();
           const all = event.submitter?.getAttribute("value") === "all";
           const chosen = all ? models.value : models.value.filter(({ id }) => id === selectedModel.value);
-          fitModels(chosen.filter(hasCloud), request.value);
+          void fitModels(chosen.filter(hasCloud), request.value);
         }}
       >
         <Choice />

@@ -7,6 +7,7 @@ import type { PredictionReport, TruthReport } from "../engine/contract";
 import { measureColumn } from "../measures/column";
 import { ACCURACY_MEASURES, MEASURES } from "../measures/measures";
 import { predictionColours } from "../stage/colouring";
+import { reports } from "../stage/reports";
 import {
   hoveredPrimitive,
   selectedModel,
@@ -123,9 +124,14 @@ function isRef(ref: PrimitiveRef | undefined, side: PrimitiveRef["side"], index:
   return ref !== undefined && ref.side === side && ref.index === index;
 }
 
-/** A row stands for its true primitive and for that one's match. */
+/** A row stands for its true primitive and for that one's matches. */
 function concerns(ref: PrimitiveRef | undefined, row: TruthRow): boolean {
-  return isRef(ref, "truth", row.index) || isRef(ref, "prediction", row.match);
+  const { rival } = reports.value;
+  return (
+    isRef(ref, "truth", row.index) ||
+    isRef(ref, "prediction", row.match) ||
+    (rival !== undefined && isRef(ref, "rival", placeOfMatch(rival, row.index)))
+  );
 }
 
 export default function PrimitivesPanel(): JSX.Element {

@@ -14,6 +14,12 @@ export const SETS: readonly PublicSet[] = [
   { name: "test", title: "Test set", count: 35 },
 ];
 
+/** One of the public models. */
+export interface PublicModel {
+  readonly set: SetName;
+  readonly number: number;
+}
+
 export interface PublicFile {
   /** Where it lies below the base address. */
   readonly address: string;
@@ -21,6 +27,7 @@ export interface PublicFile {
   readonly path: string;
   /** A published result: the model is complete without it. */
   readonly isResult: boolean;
+  readonly model: PublicModel;
 }
 
 type Role = "primitives" | "parametric" | "implicit";
@@ -35,28 +42,27 @@ const RESULTS: readonly { readonly method: string; readonly roles: readonly Role
 /** The files of one model: its cloud, its ground truth and, if wanted, the published results. */
 export function filesOf(set: SetName, number: number, withResults: boolean): PublicFile[] {
   const name = `PC${number}`;
+  const model = { set, number };
+  const given = (address: string): PublicFile => ({ address, path: address, isResult: false, model });
   if (set === "training") {
     const folder = "dataset/training_set";
     return [`${folder}/${name}.txt`, ...TRUTH.map((role) => `${folder}/${name}_${role}.txt`)].map(given);
   }
   const folder = "dataset/test_set";
   const truth = TRUTH.map((role) => `${folder}/pointCloud_${role}/${name}_${role}.txt`);
-  return [`${folder}/pointCloud/${name}.txt`, ...truth].map(given).concat(withResults ? resultsOf(folder, name) : []);
-}
-
-function given(address: string): PublicFile {
-  return { address, path: address, isResult: false };
+  return [`${folder}/pointCloud/${name}.txt`, ...truth].map(given).concat(withResults ? resultsOf(folder, model) : []);
 }
 
 /**
  * The repository keeps results beside its evaluation scripts. Here they lie beside their clouds, so
  * that no other PC1 on the page can be taken for theirs.
  */
-function resultsOf(folder: string, name: string): PublicFile[] {
+function resultsOf(folder: string, model: PublicModel): PublicFile[] {
+  const name = `PC${model.number}`;
   return RESULTS.flatMap(({ method, roles }) =>
     roles.map((role) => {
       const place = `pointCloud_${role}_${method}/${name}_${role}.txt`;
-      return { address: `MATLAB/${place}`, path: `${folder}/${place}`, isResult: true };
+      return { address: `MATLAB/${place}`, path: `${folder}/${place}`, isResult: true, model };
     }),
   );
 }

@@ -59,7 +59,7 @@ export async function downloadModels(base: URL, { set, numbers, withResults }: W
     const arrival = new Arrival();
     const ended = await inParallel(models.flat(), async (file) => {
       const fetched = await fetchFile(new URL(file.address, base), { ...options, limit: MAX_FILE_BYTES });
-      if (fetched.kind === "file") arrival.files.push({ path: file.path, data: fetched.data });
+      if (fetched.kind === "file") arrival.files.push({ path: file.path, data: fetched.data, publicModel: file.model });
       else if (fetched.kind === "failed") arrival.lack(file, fetched.reason);
       else arrival.lack(file, `${base.host} has no ${file.address} (404).`);
       arrival.settled.add(file);

@@ -31,10 +31,10 @@ export function PublicForm({ onTaken }: { onTaken: () => void }): JSX.Element {
       }}
     >
       <p>
-        The 225 models of the benchmark, from {base.address.host}, about a megabyte each. Only when you press Download
-        does the page ask that host for the chosen files. Otherwise it uses the network for its own parts alone, and
-        for the zip that <code>?data=</code> in its address names. It sends nothing: what you drop, choose or paste
-        never leaves your machine.
+        The 225 models of the benchmark, from {base.address.host}, about a megabyte each. The page asks that host for
+        the files of a model only when you press Download, or open a shared link that shows that model. Otherwise it
+        uses the network for its own parts alone, and for the zip that <code>?data=</code> in its address names. It
+        sends nothing: what you drop, choose or paste never leaves your machine.
       </p>
       <div class="row">
         <fieldset class="switch">

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { SampleOptions, PartInfo } from "../engine/contract";
-import { addMade } from "../state/inbox";
+import { addMade, type Entrance } from "../state/inbox";
 import { notify } from "../state/notices";
 
 export const partList = signal<readonly PartInfo[]>([]);
@@ -16,10 +16,10 @@ export function listParts(): Promise<void> {
   return listed;
 }
 
-export async function makeSample(part: string, options: SampleOptions, asOpening = false): Promise<void> {
+export async function makeSample(part: string, options: SampleOptions, how: Entrance = "shown"): Promise<void> {
   try {
     const { name, files } = await engine.run((api) => api.generate(part, options));
-    addMade(name, { kind: "sample", part, options }, files, asOpening);
+    addMade(name, { kind: "sample", part, options }, files, how);
   } catch (error) {
     notify(`The sample could not be made: ${error instanceof Error ? error.message : String(error)}`, "error");
   }
@@ -29,5 +29,5 @@ export async function makeSample(part: string, options: SampleOptions, asOpening
 export async function openFirstSample(): Promise<void> {
   await listParts();
   const first = partList.value[0];
-  if (first) await makeSample(first.name, {}, true);
+  if (first) await makeSample(first.name, {}, "opening");
 }

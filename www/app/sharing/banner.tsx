@@ -5,6 +5,8 @@ import { goToPanel } from "../shell/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
+import { entryOf, isRebuildable, rebuild, rebuilding, workOf } from "./rebuild";
+import type { SharedResults } from "./shared";
 
 export function SharedBanner(): JSX.Element | null {
   const state = opened.value;
@@ -25,11 +27,34 @@ export function SharedBanner(): JSX.Element | null {
       <p role="status">
         <Standing />
       </p>
+      <RestButton results={state.results} />
       <button type="button" onClick={() => goToPanel(SHARED_PANEL)}>
         Show the figures
       </button>
       <Close />
     </section>
+  );
+}
+
+/** Has the rest of the models again that the link says how to, and repeats the fits it names. */
+function RestButton({ results }: { results: SharedResults }): JSX.Element | null {
+  const places = results.models.flatMap((model, place) => {
+    const absent = entryOf(model) === undefined;
+    const unfitted = judged.value.some(({ claim, verdict }) => claim.model === place && claim.fitted && verdict.kind === "claimed");
+    return isRebuildable(model) && (absent || unfitted) ? [place] : [];
+  });
+  if (places.length === 0 || rebuilding.value) return null;
+  const { samples, downloads, fits } = workOf(results, places);
+  const parts = [
+    samples > 0 && `make ${plural(samples, "sample")}`,
+    downloads > 0 && `download ${plural(downloads, "public model")}`,
+    fits > 0 && `repeat ${plural(fits, "fit")}`,
+  ].filter((part) => part !== false);
+  const text = parts.join(", ");
+  return (
+    <button type="button" onClick={() => void rebuild(results, places)}>
+      {text.charAt(0).toUpperCase() + text.slice(1)}
+    </button>
   );
 }
 

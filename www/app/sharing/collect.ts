@@ -2,9 +2,10 @@
 
 import type { Protocol } from "../engine/contract";
 import { engineVersion } from "../export/results";
-import type { ModelEntry, ScoredRow } from "../state/models";
+import { fitOf } from "../state/inbox";
+import type { ScoredRow } from "../state/models";
 import { fingerprintsOf } from "./fingerprints";
-import type { Claim, SharedModel, SharedOrigin, SharedResults, SharedView } from "./shared";
+import type { Claim, SharedModel, SharedResults, SharedView } from "./shared";
 
 /** What the reader looks at, by names as the page has them. */
 export type Looking = Omit<SharedView, "model"> & { readonly model: string | undefined };
@@ -23,12 +24,14 @@ export async function collect(rows: readonly ScoredRow[], protocol: Protocol, lo
       const { method, [protocol]: report } = reports;
       const prints = await fingerprintsOf(entry.source.files, method);
       inputs = prints.inputs;
+      const fitted = fitOf(entry.id, method);
       claims.push({
         model: place,
         method,
         predicted: report.predicted,
         typeErrors: report.type_errors,
         mean: report.mean,
+        ...(fitted && { fitted }),
         ...(prints.submission !== undefined && { submission: prints.submission }),
       });
     }
@@ -36,15 +39,11 @@ export async function collect(rows: readonly ScoredRow[], protocol: Protocol, lo
       name: entry.id,
       points: first.points,
       truth: first.truth,
-      origin: originOf(entry),
+      origin: entry.origin,
       ...(inputs !== undefined && { inputs }),
     });
   }
   const { model, ...rest } = looking;
   const place = entries.findIndex(({ id }) => id === model);
   return { engine, protocol, models, claims, ...(place >= 0 && { view: { ...rest, model: place } }) };
-}
-
-function originOf({ origin }: ModelEntry): SharedOrigin {
-  return origin.kind === "sample" ? { kind: "sample", part: origin.part, options: origin.options } : { kind: "files" };
 }

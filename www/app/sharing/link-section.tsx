@@ -7,7 +7,7 @@ import { copy } from "../export/download";
 import { restingCamera } from "../stage/camera";
 import { arrangement, colourMode } from "../stage/display";
 import { methods, scoredRows } from "../state/models";
-import { selectedMethod, selectedModel, selectedPrimitive } from "../state/selection";
+import { leftShows, rightIsTruth, selectedMethod, selectedModel, selectedPrimitive } from "../state/selection";
 import { protocol } from "../state/settings";
 import { integer, plural } from "../ui/format";
 import { collect, type Looking } from "./collect";
@@ -94,6 +94,7 @@ function Methods({ chosen }: { chosen: { value: ReadonlySet<string> } }): JSX.El
 function Contents({ results, length }: { results: SharedResults; length: number }): JSX.Element {
   const { claims, models, view, engine } = results;
   const again = models.filter(({ origin }) => origin.kind !== "files").length;
+  const fits = claims.filter(({ fitted }) => fitted).length;
   const unhashed = claims.some(({ submission }) => submission === undefined);
   return (
     <>
@@ -102,7 +103,8 @@ function Contents({ results, length }: { results: SharedResults; length: number 
         digits, protocol {results.protocol}, engine {engine}
         {!unhashed && ", hashes of the files"}
         {view && `, ${view.camera ? "camera and " : ""}selection`}
-        {again > 0 && `; ${again === models.length ? "the points are" : `the points of ${again} are`} made again on opening`}
+        {again > 0 && `; ${again === models.length ? "the models are" : `${again} of the models are`} made or downloaded again for whoever opens it`}
+        {fits > 0 && again > 0 && `, ${plural(fits, "fit")} repeated`}
         {again < models.length && "; no points of your files"}.
       </p>
       {unhashed && (
@@ -130,6 +132,8 @@ function looking(): Looking {
   return {
     model: selectedModel.peek(),
     ...(method !== undefined && { method }),
+    ...(leftShows.peek() !== undefined && { left: leftShows.peek() }),
+    ...(rightIsTruth.peek() && { rightIsTruth: true }),
     ...(primitive && { primitive }),
     ...(camera && { camera }),
     colour: colourMode.peek(),

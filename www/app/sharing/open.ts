@@ -3,20 +3,18 @@
 import { batch, effect } from "@preact/signals";
 import type { Report } from "../engine/contract";
 import { engineVersion } from "../export/results";
-import { makeSample } from "../samples/samples";
 import { shownPanel } from "../shell/panels";
 import { arrangement, ARRANGEMENTS, colourMode, projection } from "../stage/display";
 import { awaitedCamera } from "../stage/camera";
 import { COLOUR_MODES } from "../stage/colouring";
-import { modelById } from "../state/models";
-import { selectedPrimitive, selectModel, type PrimitiveRef } from "../state/selection";
+import { rightIsTruth, selectedPrimitive, selectModel, showLeft, type PrimitiveRef } from "../state/selection";
 import { protocol } from "../state/settings";
-import type { ScoredModel } from "../../worker/protocol";
 import { readFragment } from "./codec/link";
 import { engineHere, opened, SHARED_PANEL } from "./opened";
-import type { SharedModel, SharedResults, SharedView } from "./shared";
+import { entryOf, isRebuildable, rebuild } from "./rebuild";
+import type { SharedResults } from "./shared";
 
-/** More samples than this are not made anew: a link must not keep the machine busy. */
+/** More samples than this are not made unasked: a link must not keep the machine busy. */
 const MAX_SAMPLES = 12;
 
 /** Opens what the fragment holds; false where it is damaged, which the page then says. */
@@ -34,54 +32,76 @@ export async function openLink(fragment: string): Promise<boolean> {
     protocol.value = results.protocol;
     shownPanel.value = SHARED_PANEL;
   });
-  for (const model of samplesOf(results).slice(0, MAX_SAMPLES)) {
-    if (model.origin.kind === "sample") await makeSample(model.origin.part, model.origin.options);
-  }
-  lookAgain(results);
+  void restore(results);
   return true;
 }
 
-/** Those that can be made again, what the sharer looked at first. */
-function samplesOf({ models, view }: SharedResults): SharedModel[] {
-  const shown = view && models[view.model];
-  return models.filter(({ origin }) => origin.kind === "sample").sort((a, b) => Number(b === shown) - Number(a === shown));
+/** What the sharer looked at comes whole, with its fits; of the rest, unasked, only what is quickly made. */
+async function restore(results: SharedResults): Promise<void> {
+  const places = results.models.flatMap((model, place) => (isRebuildable(model) ? [place] : []));
+  const isShown = (place: number) => place === results.view?.model;
+  const isQuick = (place: number) => results.models[place]?.origin.kind === "sample" && !isShown(place);
+  const stillShown = lookAgain(results);
+  await rebuild(results, places.filter(isShown));
+  if (stillShown()) look(results, "submissions");
+  const unfitted = { ...results, claims: [] };
+  await rebuild(unfitted, places.filter(isQuick).slice(0, MAX_SAMPLES), "quiet");
 }
 
-/** Once the model looked at is there and scored (made again, or dropped), shows it as the sharer saw it. */
-function lookAgain(results: SharedResults): void {
+/**
+ * As soon as the model looked at is there and scored (made again, or dropped), shows it as the sharer
+ * saw it. The result tells whether that has happened.
+ */
+function lookAgain(results: SharedResults): () => boolean {
   const { models, view } = results;
-  const name = view && models[view.model]?.name;
-  if (!view || name === undefined) return;
+  const model = view && models[view.model];
+  if (!model) return () => false;
   let waiting = true;
+  let shown = false;
   const end = effect(() => {
     const state = opened.value;
     // Another link was opened, or this one closed.
     const over = state.kind !== "shared" || state.results !== results;
-    const status = modelById(name)?.status;
-    if (!waiting || (!over && status?.kind !== "scored")) return;
+    const scored = entryOf(model)?.status.kind === "scored";
+    if (!waiting || (!over && !scored)) return;
     waiting = false;
+    shown = !over;
     // Not within the effect: what is set here must not be what the effect depends on.
     queueMicrotask(() => {
       end();
-      if (!over && status?.kind === "scored") look(name, view, status.result);
+      if (!over) look(results, "everything");
     });
   });
+  return () => {
+    const state = opened.peek();
+    return shown && state.kind === "shared" && state.results === results;
+  };
 }
 
-function look(name: string, view: SharedView, { reports }: ScoredModel): void {
+/** Looks where the sharer looked; at the submissions again once fits are repeated, without a jump of the camera. */
+function look({ models, view }: SharedResults, what: "everything" | "submissions"): void {
+  const model = view && models[view.model];
+  const entry = model && entryOf(model);
+  if (!view || entry?.status.kind !== "scored") return;
+  const { reports } = entry.status.result;
   const report = reports.find(({ method }) => method === view.method)?.definition;
+  const left = reports.find(({ method }) => method === view.left)?.definition;
   batch(() => {
-    selectModel(name, report && view.method);
-    selectedPrimitive.value = view.primitive && report && isIn(report, view.primitive) ? view.primitive : undefined;
+    selectModel(entry.id, report && view.method);
+    showLeft(left && view.left);
+    rightIsTruth.value = view.rightIsTruth ?? false;
+    selectedPrimitive.value = view.primitive && isIn(view.primitive, report, left) ? view.primitive : undefined;
+    if (what === "submissions") return;
     colourMode.value = COLOUR_MODES.find(({ id }) => id === view.colour)?.id ?? colourMode.value;
     arrangement.value = ARRANGEMENTS.find(({ id }) => id === view.arrangement)?.id ?? arrangement.value;
     if (!view.camera) return;
     projection.value = view.camera.projection;
-    awaitedCamera.value = { model: name, state: view.camera };
+    awaitedCamera.value = { model: entry.id, state: view.camera };
   });
 }
 
 /** A link may name any number. */
-function isIn({ primitives, predictions }: Report, { side, index }: PrimitiveRef): boolean {
-  return index < (side === "truth" ? primitives : predictions).length;
+function isIn({ side, index }: PrimitiveRef, report: Report | undefined, left: Report | undefined): boolean {
+  const primitives = { truth: report?.primitives, prediction: report?.predictions, rival: left?.predictions }[side];
+  return index < (primitives?.length ?? 0);
 }

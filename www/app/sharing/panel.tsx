@@ -4,7 +4,6 @@ import type { JSX } from "preact";
 import { byMethod, meanOf } from "../../../bin/formats/measures.mjs";
 import { measureColumn } from "../measures/column";
 import { MEASURES } from "../measures/measures";
-import { modelById } from "../state/models";
 import { selectedModel, selectModel } from "../state/selection";
 import { words } from "../ui/columns";
 import * as format from "../ui/format";
@@ -12,6 +11,7 @@ import { Table, type Column } from "../ui/table";
 import { VerdictMark } from "./mark";
 import type { Difference, Figure } from "./judge";
 import { judged, opened, type JudgedClaim } from "./opened";
+import { entryOf } from "./rebuild";
 
 function differenceIn({ verdict }: JudgedClaim, figure: Figure): Difference | undefined {
   return verdict.kind === "differs" ? verdict.differences.find((difference) => difference.figure === figure) : undefined;
@@ -92,9 +92,10 @@ export default function SharedPanel(): JSX.Element {
       columns={COLUMNS}
       rows={judged.value}
       keyOf={({ key }) => key}
-      isSelected={({ model }) => model.name === selectedModel.value}
+      isSelected={({ model }) => entryOf(model)?.id === selectedModel.value && selectedModel.value !== undefined}
       onSelect={({ model, claim }) => {
-        if (modelById(model.name)) selectModel(model.name, claim.method);
+        const entry = entryOf(model);
+        if (entry) selectModel(entry.id, claim.method);
       }}
       foot={<Means />}
     />

@@ -1,6 +1,9 @@
 // What a link says: whose results, by which rules, on which files.
 
+import type { FitRequest } from "../../worker/protocol";
 import type { Measure, Protocol, SampleOptions } from "../engine/contract";
+import type { PublicModel } from "../public/catalogue";
+import type { Side } from "../state/selection";
 import type { CameraState } from "../view/types";
 
 /**
@@ -16,7 +19,8 @@ export const FINGERPRINT_BYTES = 8;
 export type SharedOrigin =
   | { readonly kind: "files" }
   | { readonly kind: "sample"; readonly part: string; readonly options: SampleOptions }
-  | { readonly kind: "public" };
+  /** Links of version 1 do not say which one it is. */
+  | { readonly kind: "public"; readonly model?: PublicModel };
 
 export interface SharedModel {
   readonly name: string;
@@ -37,6 +41,8 @@ export interface Claim {
   readonly typeErrors: number;
   /** Of the submission's files. */
   readonly submission?: Fingerprint;
+  /** How it was fitted, where the page did that: the same cloud gives the same submission again. */
+  readonly fitted?: FitRequest;
   /** All digits: a claim can be compared bit by bit. */
   readonly mean: Readonly<Record<Measure, number | null>>;
 }
@@ -46,7 +52,11 @@ export interface SharedView {
   /** Place of the selected model among the models. */
   readonly model: number;
   readonly method?: string;
-  readonly primitive?: { readonly side: "truth" | "prediction"; readonly index: number };
+  /** The submission in the left view, where it is not the truth that is there. */
+  readonly left?: string;
+  /** Whether the truth is in the right view. */
+  readonly rightIsTruth?: true;
+  readonly primitive?: { readonly side: Side; readonly index: number };
   readonly camera?: CameraState;
   readonly colour?: string;
   readonly arrangement?: string;

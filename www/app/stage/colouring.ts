@@ -3,9 +3,8 @@
 import type { Report } from "../engine/contract";
 import type { ModelScene, SegmentationScene } from "../../worker/protocol";
 import { placeOfMatch } from "../state/matches";
-import type { PrimitiveRef } from "../state/selection";
+import type { PrimitiveRef, Side } from "../state/selection";
 import { bytes, MISCLASSIFIED, OUTCOME_COLOURS, segmentColour, UNSEGMENTED } from "../view/palette";
-import type { Side } from "../view/types";
 
 export const COLOUR_MODES = [
   { id: "segments", title: "Segments" },
@@ -18,25 +17,22 @@ export const COLOUR_MODES = [
 
 export type ColourMode = (typeof COLOUR_MODES)[number]["id"];
 
-export interface LegendEntry {
-  readonly colour: string;
-  readonly text: string;
-}
-
 /** Label 0 is for points that belong to nothing. */
 export interface Labelling {
   readonly labels: Uint32Array;
   readonly colours: readonly string[];
-  readonly legend?: readonly LegendEntry[];
   /** Whether the points show which way they face; the labels then only tell what is what. */
   readonly normals?: true;
   /** Colours the points in place of the labels, which then only tell what is what. */
   readonly scalars?: { readonly values: Float32Array; readonly low: number; readonly high: number };
 }
 
+/** How the two submissions that may be shown match the truth. */
+export type Reports = Readonly<Partial<Record<"prediction" | "rival", Report | undefined>>>;
+
 export interface Shown {
   readonly scene: ModelScene;
-  readonly report: Report | undefined;
+  readonly reports: Reports;
   readonly selected: PrimitiveRef | undefined;
 }
 
@@ -48,37 +44,38 @@ export const TYPE_COLOURS: Readonly<Record<string, string>> = {
   Torus: segmentColour(5),
 };
 
+export function segmentationOf({ truth, prediction, rival }: ModelScene, side: Side): SegmentationScene | undefined {
+  return { truth, prediction, rival: rival?.segmentation }[side];
+}
+
+/** The submission that a side is about: the truth stands beside the selected one. */
+function submissionOf(side: Side): "prediction" | "rival" {
+  return side === "rival" ? "rival" : "prediction";
+}
+
 export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling {
   const { scene } = shown;
-  const segmentation = side === 0 ? scene.truth : scene.prediction;
+  const segmentation = segmentationOf(scene, side);
   const points = scene.positions.length / 3;
-  if (mode === "outcome") return outcome(shown, points);
+  if (mode === "outcome") return outcome(side, shown, points);
   if (!segmentation) {
     const nothing = { labels: new Uint32Array(points), colours: [UNSEGMENTED] };
     return mode === "normal" ? { ...nothing, normals: true } : nothing;
   }
-  if (mode === "figure" && side === 1) return figure(shown, points);
+  if (mode === "figure" && side !== "truth") return figure(side, shown, points);
   const labels = labelsOf(segmentation, points);
   if (mode === "type") {
     const colours = segmentation.primitives.map(({ type }) => TYPE_COLOURS[type ?? ""] ?? UNSEGMENTED);
-    const legend = Object.entries(TYPE_COLOURS).map(([text, colour]) => ({ text, colour }));
-    return { labels, colours: [UNSEGMENTED, ...colours], legend };
+    return { labels, colours: [UNSEGMENTED, ...colours] };
   }
-  const colours = segmentColours(side, shown, segmentation.primitives.length);
-  if (mode === "distance") return { labels, colours, scalars: distances(shown, segmentation, points) };
-  if (mode === "normal") return { labels, colours, normals: true, legend: NORMAL_LEGEND };
+  const colours = segmentColours(side, shown.reports, segmentation.primitives.length);
+  if (mode === "distance") return { labels, colours, scalars: distances(scene, segmentation, points) };
+  if (mode === "normal") return { labels, colours, normals: true };
   return { labels, colours };
 }
 
-/** Normals of points have no sign: one colour for both directions of an axis. */
-const NORMAL_LEGEND: readonly LegendEntry[] = [
-  { colour: "#ff0000", text: "faces ±x" },
-  { colour: "#00ff00", text: "faces ±y" },
-  { colour: "#0000ff", text: "faces ±z" },
-];
-
-/** A point listed by several primitives gets the first. */
-function labelsOf({ offsets, indices }: SegmentationScene, points: number): Uint32Array {
+/** A label per point: the place of its primitive from 1, 0 for none. A point listed by several gets the first. */
+export function labelsOf({ offsets, indices }: SegmentationScene, points: number): Uint32Array {
   const labels = new Uint32Array(points);
   for (let primitive = offsets.length - 2; primitive >= 0; primitive--) {
     for (let at = offsets[primitive] ?? 0; at < (offsets[primitive + 1] ?? 0); at++) {
@@ -100,79 +97,87 @@ export function predictionColours(report: Report | undefined, count: number): st
 }
 
 /** Colour of every label of a side: unsegmented, then the primitives in their order. */
-export function segmentColours(side: Side, { report }: Shown, count: number): string[] {
+export function segmentColours(side: Side, reports: Reports, count: number): string[] {
   const own = Array.from({ length: count }, (_, place) => segmentColour(place));
-  return [UNSEGMENTED, ...(side === 0 ? own : predictionColours(report, count))];
+  return [UNSEGMENTED, ...(side === "truth" ? own : predictionColours(reports[side], count))];
 }
 
-/** Rightly found points in the colour of their true primitive, all others that the prediction lists in black. */
-function figure({ scene, report }: Shown, points: number): Labelling {
-  const { truth, prediction } = scene;
+/** Rightly found points in the colour of their true primitive, all others that the submission lists in black. */
+function figure(side: "prediction" | "rival", { scene, reports }: Shown, points: number): Labelling {
+  const found = segmentationOf(scene, side);
+  const { truth } = scene;
+  const report = reports[side];
   const labels = new Uint32Array(points);
-  if (!truth || !prediction || !report) return { labels, colours: [UNSEGMENTED] };
+  if (!truth || !found || !report) return { labels, colours: [UNSEGMENTED] };
   const wrong = truth.primitives.length + 1;
-  for (const index of prediction.indices) labels[index] = wrong;
+  for (const index of found.indices) labels[index] = wrong;
   for (let place = truth.primitives.length - 1; place >= 0; place--) {
     const match = placeOfMatch(report, place);
     if (match === undefined) continue;
-    const found = new Set(members(prediction, match));
-    for (const index of members(truth, place)) if (found.has(index)) labels[index] = place + 1;
+    const matched = new Set(members(found, match));
+    for (const index of members(truth, place)) if (matched.has(index)) labels[index] = place + 1;
   }
-  const colours = [UNSEGMENTED, ...truth.primitives.map((_, place) => segmentColour(place)), MISCLASSIFIED];
-  const legend = [
-    { colour: MISCLASSIFIED, text: "misclassified" },
-    { colour: UNSEGMENTED, text: "not predicted" },
-  ];
-  return { labels, colours, legend };
+  return { labels, colours: [UNSEGMENTED, ...truth.primitives.map((_, place) => segmentColour(place)), MISCLASSIFIED] };
 }
 
 /** True positives, false positives and false negatives of the selected primitive and its match. */
-function outcome({ scene, report, selected }: Shown, points: number): Labelling {
+function outcome(side: Side, { scene, reports, selected }: Shown, points: number): Labelling {
   const labels = new Uint32Array(points);
   const { truePositive, falsePositive, falseNegative } = OUTCOME_COLOURS;
   const colours = [UNSEGMENTED, truePositive, falsePositive, falseNegative];
-  const legend = [
-    { colour: truePositive, text: "true positive" },
-    { colour: falsePositive, text: "false positive" },
-    { colour: falseNegative, text: "false negative" },
-  ];
-  const pair = report && selected && pairOf(report, selected);
-  if (!pair) return { labels, colours, legend };
-  const expected = new Set(pair.truth === undefined || !scene.truth ? [] : members(scene.truth, pair.truth));
-  const found = pair.match === undefined || !scene.prediction ? [] : members(scene.prediction, pair.match);
+  const submission = submissionOf(side);
+  if (!selected || !reports[submission]) return { labels, colours };
+  const partners = partnersOf(reports, selected);
+  const membersOn = (of: Side) => {
+    const [segmentation, place] = [segmentationOf(scene, of), partners[of]];
+    return segmentation && place !== undefined ? members(segmentation, place) : [];
+  };
+  const expected = new Set(membersOn("truth"));
   for (const index of expected) labels[index] = 3;
-  for (const index of found) labels[index] = expected.has(index) ? 1 : 2;
-  return { labels, colours, legend };
+  for (const index of membersOn(submission)) labels[index] = expected.has(index) ? 1 : 2;
+  return { labels, colours };
 }
 
-/** The true primitive and the prediction that a selection on either side is about. */
-export function pairOf(report: Report, { side, index }: PrimitiveRef): { truth?: number; match?: number } {
-  if (side === "truth") {
-    const match = placeOfMatch(report, index);
-    return match === undefined ? { truth: index } : { truth: index, match };
-  }
-  const truth = report.primitives.findIndex((_, place) => placeOfMatch(report, place) === index);
-  return truth < 0 ? { match: index } : { truth, match: index };
+/** The places of the true primitive and of its matches that a primitive of any side is about. */
+export type Partners = Readonly<Partial<Record<Side, number>>>;
+
+export function partnersOf(reports: Reports, { side, index }: PrimitiveRef): Partners {
+  const own = side === "truth" ? undefined : reports[side];
+  const found = own?.primitives.findIndex((_, place) => placeOfMatch(own, place) === index) ?? -1;
+  const truth = side === "truth" ? index : found < 0 ? undefined : found;
+  const matchIn = (report: Report | undefined) => (report && truth !== undefined ? placeOfMatch(report, truth) : undefined);
+  const [prediction, rival] = [matchIn(reports.prediction), matchIn(reports.rival)];
+  return {
+    ...(truth !== undefined && { truth }),
+    ...(prediction !== undefined && { prediction }),
+    ...(rival !== undefined && { rival }),
+    [side]: index,
+  };
 }
 
 export function members({ offsets, indices }: SegmentationScene, place: number): Uint32Array {
   return indices.subarray(offsets[place] ?? 0, offsets[place + 1] ?? 0);
 }
 
-/** One scale for both sides, so that they can be compared. */
-function distances({ scene }: Shown, { indices, distances: own }: SegmentationScene, points: number) {
+/** One scale for all sides, so that they can be compared. */
+function distances(scene: ModelScene, { indices, distances: own }: SegmentationScene, points: number) {
   const values = new Float32Array(points).fill(NaN);
   indices.forEach((index, at) => (values[index] = own[at] ?? NaN));
   return { values, low: 0, high: largestDistance(scene) };
 }
 
-/** Largest distance of a point to its surface, on either side. */
-export function largestDistance({ truth, prediction }: ModelScene): number {
-  let largest = 0;
-  for (const segmentation of [truth, prediction]) {
-    for (const distance of segmentation?.distances ?? []) if (distance > largest) largest = distance;
+const largest = new WeakMap<ModelScene, number>();
+
+/** Largest distance of a point to its surface, on any side. */
+export function largestDistance(scene: ModelScene): number {
+  const known = largest.get(scene);
+  if (known !== undefined) return known;
+  let found = 0;
+  for (const segmentation of [scene.truth, scene.prediction, scene.rival?.segmentation]) {
+    for (const distance of segmentation?.distances ?? []) if (distance > found) found = distance;
   }
-  return largest || 1;
+  largest.set(scene, found || 1);
+  return found || 1;
 }
 
 export function table({ colours }: Labelling): Uint8Array {

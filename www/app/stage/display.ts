@@ -2,15 +2,16 @@
 
 import { computed, signal } from "@preact/signals";
 import { scene } from "../state/scene";
+import { leftShows, rightIsTruth, type Side } from "../state/selection";
 import { remembered } from "../state/settings";
 import type { Layout } from "../view/types";
-import { COLOUR_MODES, type ColourMode } from "./colouring";
+import { COLOUR_MODES, segmentationOf, type ColourMode } from "./colouring";
 
 export const ARRANGEMENTS = [
   { id: "split", title: "Side by side" },
   { id: "wipe", title: "Wipe" },
-  { id: "truth", title: "Truth only" },
-  { id: "prediction", title: "Prediction only" },
+  { id: "truth", title: "Left only" },
+  { id: "prediction", title: "Right only" },
 ] as const;
 
 export type Arrangement = (typeof ARRANGEMENTS)[number]["id"];
@@ -20,12 +21,23 @@ export const arrangement = remembered<Arrangement>("arrangement", "split", ARRAN
 /** Place of the wipe's border, 0 left to 1 right. */
 export const wipeAt = signal(0.5);
 
+/** What the left and the right view show. What is still on its way is not shown yet. */
+export const sides = computed<readonly [Side, Side]>(() => {
+  const state = scene.value;
+  const there = state.kind === "ready" ? state.scene : undefined;
+  const right = rightIsTruth.value && there?.truth ? "truth" : "prediction";
+  if (leftShows.value === undefined) return ["truth", right];
+  if (leftShows.value === there?.method) return ["prediction", right];
+  return [leftShows.value === there?.rival?.method ? "rival" : "truth", right];
+});
+
 /** A side that has nothing to show leaves its room to the other. */
 const possible = computed<Arrangement>(() => {
   const state = scene.value;
   if (state.kind !== "ready") return arrangement.value;
-  if (!state.scene.prediction) return "truth";
-  return state.scene.truth ? arrangement.value : "prediction";
+  const [left, right] = sides.value.map((side) => segmentationOf(state.scene, side) !== undefined);
+  if (!right) return "truth";
+  return left ? arrangement.value : "prediction";
 });
 
 export const layout = computed<Layout>(() => {

@@ -2,6 +2,7 @@
 
 import { effect, signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
+import { frame } from "./framing";
 import { selectedModel, selectedPrimitive, type PrimitiveRef } from "../state/selection";
 
 /** The view on the page, once it is there. */
@@ -36,6 +37,6 @@ export function showAll(): void {
 
 export function frameSelected(): void {
   const ref = selectedPrimitive.value;
-  if (ref) currentView.value?.fitLabels(ref.side === "truth" ? 0 : 1, [ref.index + 1]);
-  else currentView.value?.fit();
+  const view = currentView.value;
+  if (view && !(ref && frame(view, ref))) view.fit();
 }

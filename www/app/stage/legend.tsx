@@ -1,22 +1,14 @@
 // What the colours mean, where they mean more than which primitive.
 
 import type { JSX } from "preact";
-import { computed } from "@preact/signals";
 import { scene } from "../state/scene";
-import { selectedPrimitive, selectedReports } from "../state/selection";
-import { protocol } from "../state/settings";
+import { selectedPrimitive } from "../state/selection";
 import { sample, SEQUENTIAL } from "../view/palette";
-import { labelling, largestDistance } from "./colouring";
+import { largestDistance } from "./colouring";
 import { colourMode } from "./display";
+import { fixedKey } from "./key";
 
 const STEPS = 12;
-
-const legend = computed(() => {
-  const state = scene.value;
-  if (state.kind !== "ready") return undefined;
-  const report = selectedReports.value?.[protocol.value];
-  return labelling(colourMode.value, 1, { scene: state.scene, report, selected: undefined }).legend;
-});
 
 export function Legend(): JSX.Element | null {
   const state = scene.value;
@@ -36,10 +28,11 @@ export function Legend(): JSX.Element | null {
   if (colourMode.value === "outcome" && !selectedPrimitive.value) {
     return <p class="legend">Select a primitive in the view or the table.</p>;
   }
-  if (!legend.value) return null;
+  const entries = state.kind === "ready" ? fixedKey(colourMode.value) : [];
+  if (entries.length === 0) return null;
   return (
     <ul class="legend">
-      {legend.value.map(({ colour, text }) => (
+      {entries.map(({ colour, text }) => (
         <li key={text}>
           <span class="swatch" style={{ backgroundColor: colour }} />
           {text}

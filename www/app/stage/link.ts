@@ -3,15 +3,16 @@
 import { effect } from "@preact/signals";
 import { modelById } from "../state/models";
 import { scene } from "../state/scene";
-import { hoveredPrimitive, selectedPrimitive, selectedReports, type PrimitiveRef } from "../state/selection";
-import { isDark, protocol } from "../state/settings";
+import { hoveredPrimitive, selectedPrimitive, type PrimitiveRef, type Side as SideName } from "../state/selection";
+import { isDark } from "../state/settings";
 import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
-import { labelling, pairOf, table, type Labelling, type Shown } from "./colouring";
+import { labelling, partnersOf, segmentationOf, table, type Labelling, type Shown } from "./colouring";
 import { hidden, isolated } from "./isolation";
 import { linkSurfaces } from "./surfaces";
 import { awaitedCamera, restingCamera } from "./camera";
-import { colourMode, eyeDome, pointSize, projection, unsegmentedShown } from "./display";
+import { colourMode, eyeDome, pointSize, projection, sides, unsegmentedShown } from "./display";
+import { reports } from "./reports";
 
 const SIDES = [0, 1] as const satisfies Side[];
 
@@ -47,12 +48,12 @@ export function link(view: PointView): () => void {
       }
       const shown = shownNow();
       if (!shown) return;
-      for (const side of SIDES) colour(view, side, labelling(colourMode.value, side, shown));
+      for (const side of SIDES) colour(view, side, labelling(colourMode.value, sides.value[side], shown));
     }),
     effect(() => {
       const shown = shownNow();
       if (!shown) return;
-      for (const side of SIDES) view.setStates(side, states(side, shown));
+      for (const side of SIDES) view.setStates(side, states(sides.value[side], shown));
     }),
   ];
   const unlinkSurfaces = linkSurfaces(view);
@@ -65,10 +66,9 @@ export function link(view: PointView): () => void {
 function shownNow(): Shown | undefined {
   const state = scene.value;
   if (state.kind !== "ready") return undefined;
-  const report = selectedReports.value?.[protocol.value];
   // Only one colouring depends on the selection; the others need not be made anew for it.
   const selected = colourMode.value === "outcome" ? selectedPrimitive.value : undefined;
-  return { scene: state.scene, report, selected };
+  return { scene: state.scene, reports: reports.value, selected };
 }
 
 function colour(view: PointView, side: Side, what: Labelling): void {
@@ -84,14 +84,14 @@ function colour(view: PointView, side: Side, what: Labelling): void {
   }
 }
 
-/** The selected primitive and its partner stand out; what is hovered joins them. */
-function states(side: Side, { scene, report }: Shown): LabelState[] {
+/** The selected primitive and its partners stand out; what is hovered joins them. */
+function states(side: SideName, shown: Shown): LabelState[] {
   const mode = colourMode.value;
   const zero = unsegmentedShown.value === "on" ? LabelState.Shown : LabelState.Hidden;
   // The outcome alone has colour; the rest of the object only tells where.
   if (mode === "outcome") return [zero === LabelState.Shown && selectedPrimitive.value ? LabelState.Faded : zero];
-  if (mode === "figure" && side === 1) return [zero];
-  const count = (side === 0 ? scene.truth : scene.prediction)?.primitives.length ?? 0;
+  if (mode === "figure" && side !== "truth") return [zero];
+  const count = segmentationOf(shown.scene, side)?.primitives.length ?? 0;
   const selected = selectedPrimitive.value;
   const hovered = hoveredPrimitive.value;
   const aside = isolated.value ? LabelState.Hidden : LabelState.Faded;
@@ -99,19 +99,13 @@ function states(side: Side, { scene, report }: Shown): LabelState[] {
   const all = new Array<LabelState>(count + 1).fill(rest);
   all[0] = zero === LabelState.Hidden ? zero : rest;
   const raise = (ref: PrimitiveRef | undefined, state: LabelState) => {
-    const place = ref && placeOn(side, ref);
+    const place = ref && partnersOf(shown.reports, ref)[side];
     if (place !== undefined) all[place + 1] = state;
   };
   raise(selected, LabelState.Shown);
   raise(hovered, LabelState.Highlighted);
   for (const ref of hidden.value) raise(ref, LabelState.Hidden);
   return all;
-
-  function placeOn(on: Side, ref: PrimitiveRef): number | undefined {
-    if (!report) return ref.side === (on === 0 ? "truth" : "prediction") ? ref.index : undefined;
-    const pair = pairOf(report, ref);
-    return on === 0 ? pair.truth : pair.match;
-  }
 }
 
 function sameNumbers(a: Float32Array, b: Float32Array): boolean {

@@ -3,15 +3,17 @@
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
 import { scene } from "../state/scene";
-import { hoveredPrimitive, selectedMethod, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
+import { hoveredPrimitive, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
 import type { Hit, ViewUnavailable } from "../view/types";
 import { ViewCanvas } from "../view/view-canvas";
 import { layout, wipeAt } from "./display";
+import { frame } from "./framing";
 import { currentView } from "./isolation";
 import { Legend } from "./legend";
 import { link } from "./link";
 import { SelectionTools } from "./selection-tools";
+import { SideName } from "./side-name";
 import { Tools } from "./tools";
 import { primitiveAt, Tooltip, type Pointed } from "./tooltip";
 
@@ -33,10 +35,8 @@ export function Picture(): JSX.Element {
           onReady={attach}
           onUnavailable={(why) => (unavailable.value = why)}
         />
-        {!(current.kind === "single" && current.side === 1) && <span class="side-name truth">{firstName()}</span>}
-        {!(current.kind === "single" && current.side === 0) && (
-          <span class="side-name prediction">{selectedMethod.value}</span>
-        )}
+        {!(current.kind === "single" && current.side === 1) && <SideName at="left" />}
+        {!(current.kind === "single" && current.side === 0) && <SideName at="right" />}
         <Legend />
         <SelectionTools />
         {pointed.value && <Tooltip {...pointed.value} />}
@@ -44,11 +44,6 @@ export function Picture(): JSX.Element {
       </div>
     </div>
   );
-}
-
-function firstName(): string {
-  const state = scene.value;
-  return state.kind === "ready" && !state.scene.truth ? "Points" : "Truth";
 }
 
 function attach(created: PointView): () => void {
@@ -71,7 +66,7 @@ function attach(created: PointView): () => void {
     const ref = refOf(hit);
     if (ref) {
       selectedPrimitive.value = ref;
-      created.fitLabels(ref.side === "truth" ? 0 : 1, [ref.index + 1]);
+      frame(created, ref);
     } else {
       created.fit();
     }

@@ -6,14 +6,12 @@ import { scene } from "../state/scene";
 import { selectedPrimitive } from "../state/selection";
 import { Icon } from "../ui/icon";
 import { frameSelected, hidden, hideSelected, isolated, showAll, toggleIsolated } from "./isolation";
+import { wordsFor } from "./tooltip";
 
 const name = computed(() => {
   const ref = selectedPrimitive.value;
   const state = scene.value;
-  if (!ref || state.kind !== "ready") return undefined;
-  const segmentation = ref.side === "truth" ? state.scene.truth : state.scene.prediction;
-  const primitive = segmentation?.primitives[ref.index];
-  return primitive && `${ref.side === "truth" ? "True" : "Predicted"} ${primitive.number}: ${primitive.type ?? "other"}`;
+  return ref && state.kind === "ready" ? wordsFor(state.scene, ref.side, ref.index) : undefined;
 });
 
 export function SelectionTools(): JSX.Element | null {

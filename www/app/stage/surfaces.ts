@@ -1,18 +1,18 @@
 // What the view shows of the shape itself: normals, which let it shade the points as a surface, and
-// the patches of the selected primitive's fitted surface and its partner's. The engine makes both
+// the patches of the selected primitive's fitted surface and its partners'. The engine makes both
 // when they are wanted; they are drawn when they come, unless something else is wanted by then.
 
 import { effect } from "@preact/signals";
-import type { ModelSource, SegmentationScene } from "../../worker/protocol";
+import type { ModelSource } from "../../worker/protocol";
 import { engine } from "../engine/client";
 import { modelById } from "../state/models";
 import { scene } from "../state/scene";
-import { selectedModel, selectedPrimitive, selectedReports } from "../state/selection";
-import { protocol } from "../state/settings";
+import { selectedModel, selectedPrimitive } from "../state/selection";
 import type { PointView } from "../view/point-view";
 import type { Side, SurfacePatch } from "../view/types";
-import { pairOf, segmentColours } from "./colouring";
-import { surfacesShown } from "./display";
+import { partnersOf, segmentationOf, segmentColours } from "./colouring";
+import { sides, surfacesShown } from "./display";
+import { reports } from "./reports";
 
 /** Starts keeping normals and patches in step; the result ends it. */
 export function linkSurfaces(view: PointView): () => void {
@@ -60,17 +60,15 @@ function wantedPatches(): Wanted[] {
   const selected = selectedPrimitive.value;
   const source = modelById(selectedModel.value)?.source;
   if (!surfacesShown.value || !selected || state.kind !== "ready" || source?.key !== state.scene.key) return [];
-  const { truth, prediction, method } = state.scene;
-  const report = selectedReports.value?.[protocol.value];
-  const alone = selected.side === "truth" ? { truth: selected.index } : { match: selected.index };
-  const pair: { truth?: number; match?: number } = report ? pairOf(report, selected) : alone;
-  const shown = { scene: state.scene, report, selected };
-  const patch = (side: Side, place: number | undefined, of: SegmentationScene | undefined): Wanted[] => {
-    const colour = place === undefined ? undefined : segmentColours(side, shown, of?.primitives.length ?? 0)[place + 1];
+  const { method, rival } = state.scene;
+  const methods = { truth: undefined, prediction: method, rival: rival?.method };
+  const partners = partnersOf(reports.value, selected);
+  return sides.value.flatMap((shown, side): Wanted[] => {
+    const [place, of] = [partners[shown], segmentationOf(state.scene, shown)];
+    const colour = place === undefined ? undefined : segmentColours(shown, reports.value, of?.primitives.length ?? 0)[place + 1];
     if (place === undefined || colour === undefined || !of?.primitives[place]?.surface) return [];
-    return [{ source, method: side === 0 ? undefined : method, side, place, colour }];
-  };
-  return [...patch(0, pair.truth, truth), ...patch(1, pair.match, prediction)];
+    return [{ source, method: methods[shown], side: side as Side, place, colour }];
+  });
 }
 
 async function made({ source, method, side, place, colour }: Wanted): Promise<SurfacePatch | undefined> {

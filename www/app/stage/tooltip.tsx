@@ -1,10 +1,13 @@
 // What is under the cursor.
 
 import type { JSX } from "preact";
+import type { ModelScene } from "../../worker/protocol";
 import type { SurfaceInfo } from "../engine/contract";
 import { scene } from "../state/scene";
 import type { Side as SideName } from "../state/selection";
 import type { Hit } from "../view/types";
+import { segmentationOf } from "./colouring";
+import { sides } from "./display";
 
 export interface Pointed {
   readonly hit: Hit;
@@ -19,29 +22,35 @@ interface Found {
 }
 
 /** The first primitive that lists the point, on the side where it was pointed at. */
-export function primitiveAt({ side, index }: Hit): Found | undefined {
+export function primitiveAt({ side: view, index }: Hit): Found | undefined {
   const state = scene.peek();
   if (state.kind !== "ready") return undefined;
-  const segmentation = side === 0 ? state.scene.truth : state.scene.prediction;
+  const side = sides.peek()[view];
+  const segmentation = segmentationOf(state.scene, side);
   if (!segmentation) return undefined;
   const at = segmentation.indices.indexOf(index);
   if (at < 0) return undefined;
   const place = segmentation.offsets.findIndex((end, i) => i > 0 && end > at) - 1;
-  return { side: side === 0 ? "truth" : "prediction", place, distance: segmentation.distances[at] ?? NaN };
+  return { side, place, distance: segmentation.distances[at] ?? NaN };
+}
+
+/** A primitive in words: `True 3: Plane`. */
+export function wordsFor(scene: ModelScene, side: SideName, place: number): string | undefined {
+  const primitive = segmentationOf(scene, side)?.primitives[place];
+  const whose = { truth: "True", prediction: "Predicted", rival: scene.rival?.method }[side];
+  return primitive && `${whose} ${primitive.number}: ${primitive.type ?? "other"}`;
 }
 
 export function Tooltip({ hit, x, y }: Pointed): JSX.Element {
   const found = primitiveAt(hit);
   const state = scene.value;
-  const segmentation = state.kind === "ready" ? (hit.side === 0 ? state.scene.truth : state.scene.prediction) : undefined;
-  const primitive = found && segmentation?.primitives[found.place];
+  const shown = found && state.kind === "ready" ? state.scene : undefined;
+  const primitive = found && shown && segmentationOf(shown, found.side)?.primitives[found.place];
   return (
     <div class="tooltip" style={{ left: `${x}px`, top: `${y}px` }}>
       {primitive ? (
         <>
-          <strong>
-            {found.side === "truth" ? "True" : "Predicted"} {primitive.number}: {primitive.type ?? "other"}
-          </strong>
+          <strong>{wordsFor(shown, found.side, found.place)}</strong>
           {primitive.surface && <span>{parameters(primitive.surface)}</span>}
           {!Number.isNaN(found.distance) && <span>distance {significant(found.distance)}</span>}
         </>

@@ -73,8 +73,8 @@ export const fitProgress = computed<FitProgress | undefined>(() => {
 /** Submissions made here, by model and settings: fitting the same again replaces the first. */
 const madeWith = new Map<string, string>();
 
-/** Fits the models, unless a run is under way. */
-export function fitModels(entries: readonly ModelEntry[], request: FitRequest): void {
+/** Fits the models, unless a run is under way; resolves when all of them are done or stopped. */
+export async function fitModels(entries: readonly ModelEntry[], request: FitRequest): Promise<void> {
   if (fitProgress.peek() || entries.length === 0) return;
   const jobs = entries.map((entry) => {
     const controller = new AbortController();
@@ -86,7 +86,8 @@ export function fitModels(entries: readonly ModelEntry[], request: FitRequest): 
     return { entry, fit, signal: controller.signal };
   });
   fitRun.value = { request, fits: jobs.map(({ fit }) => fit), since: performance.now() };
-  void Promise.all(jobs.map(({ entry, fit, signal }) => perform(entry, fit, request, signal))).then(tellEnd);
+  await Promise.all(jobs.map(({ entry, fit, signal }) => perform(entry, fit, request, signal)));
+  tellEnd();
 }
 
 /** Stops every fit under way. What is fitted stays. */
@@ -112,7 +113,7 @@ async function perform(entry: ModelEntry, fit: Fit, request: FitRequest, signal:
     batch(() => {
       fit.state.value = { kind: "done", result };
       madeWith.set(settings, result.method);
-      addSubmission(id, result.files);
+      addSubmission(id, result.method, result.files, request);
       if (id === selectedModel.peek()) selectModel(id, result.method);
     });
   } catch (error) {

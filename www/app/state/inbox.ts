@@ -6,7 +6,8 @@
 import { batch, computed, signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { Grouping, Override } from "../engine/contract";
-import type { ModelFile, ModelSource } from "../../worker/protocol";
+import type { PublicModel } from "../public/catalogue";
+import type { FitRequest, ModelFile, ModelSource } from "../../worker/protocol";
 import { models, type ModelEntry, type Origin } from "./models";
 import { scoreAll } from "./scoring";
 import { notify } from "./notices";
@@ -16,6 +17,8 @@ import { selectModel, selectedModel } from "./selection";
 export interface BroughtFile {
   readonly path: string;
   readonly data: Blob;
+  /** The public model it was downloaded for. */
+  readonly publicModel?: PublicModel;
 }
 
 export interface Unplaced {
@@ -37,8 +40,15 @@ export const unplaced = computed<readonly Unplaced[]>(() => [
 /** How many files were litter (`.DS_Store` and the like). */
 export const ignored = signal(0);
 
+interface Made {
+  readonly origin: Origin;
+  readonly files: readonly ModelFile[];
+  /** How submissions were fitted, by their names. */
+  readonly fits: Readonly<Record<string, FitRequest>>;
+}
+
 /** Models that were made here, not brought as files, and submissions made here for any model. */
-const made = signal<ReadonlyMap<string, { origin: Origin; files: readonly ModelFile[] }>>(new Map());
+const made = signal<ReadonlyMap<string, Made>>(new Map());
 
 /** The model shown on opening; it makes room for the first files brought. */
 let opening: string | undefined;
@@ -76,27 +86,36 @@ export async function override(path: string, change: Override): Promise<void> {
   await regroup();
 }
 
+/** How a model comes on the page: into view, aside of what is in view, or until something is brought. */
+export type Entrance = "shown" | "quiet" | "opening";
+
 /** Puts a model on the page that was made here. */
-export function addMade(name: string, origin: Origin, files: readonly ModelFile[], asOpening = false): void {
-  made.value = new Map(made.value).set(name, { origin, files });
-  if (asOpening) opening = name;
+export function addMade(name: string, origin: Origin, files: readonly ModelFile[], how: Entrance): void {
+  made.value = new Map(made.value).set(name, { origin, files, fits: {} });
+  if (how === "opening") opening = name;
   assemble(lastGrouping);
-  selectModel(name);
+  if (how !== "quiet") selectModel(name);
 }
 
 /** Adds a submission made here (by a fitter) to a model that is on the page. */
-export function addSubmission(name: string, files: readonly ModelFile[]): void {
+export function addSubmission(name: string, method: string, files: readonly ModelFile[], request: FitRequest): void {
   const entry = models.value.find(({ id }) => id === name);
   if (!entry) return;
-  const known = made.value.get(name) ?? { origin: entry.origin, files: [] };
+  const known = made.value.get(name) ?? { origin: entry.origin, files: [], fits: {} };
   const kept = known.files.filter((file) => !files.some(({ path }) => path === file.path));
-  made.value = new Map(made.value).set(name, { origin: known.origin, files: [...kept, ...files] });
+  const fits = { ...known.fits, [method]: request };
+  made.value = new Map(made.value).set(name, { ...known, files: [...kept, ...files], fits });
   assemble(lastGrouping);
 }
 
 /** Whether a submission was made here, not brought. */
 export function isMadeHere(name: string, method: string): boolean {
   return made.value.get(name)?.files.some((file) => file.method === method) ?? false;
+}
+
+/** How a submission was fitted here; nothing for one that was brought. */
+export function fitOf(name: string, method: string): FitRequest | undefined {
+  return isMadeHere(name, method) ? made.value.get(name)?.fits[method] : undefined;
 }
 
 /** Takes a submission made here off its model. */
@@ -157,7 +176,7 @@ function assemble(grouping: Grouping): void {
   const entries: ModelEntry[] = [];
   for (const { name, number, files } of grouping.models) {
     const extra = made.value.get(name)?.files ?? [];
-    entries.push(entryOf(name, number, { kind: "files" }, [...withContent(files), ...extra]));
+    entries.push(entryOf(name, number, originOf(files), [...withContent(files), ...extra]));
   }
   for (const [name, { origin, files }] of made.value) {
     if (!entries.some(({ id }) => id === name)) entries.push(entryOf(name, undefined, origin, files));
@@ -169,6 +188,17 @@ function assemble(grouping: Grouping): void {
     if (!entries.some(({ id }) => id === selectedModel.value)) selectModel(entries[0]?.id);
   });
   scoreAll(entries.filter(({ status }) => status.kind === "waiting"));
+}
+
+/** A model whose cloud and truth are those of one public model, as downloaded and not corrected, is that model. */
+function originOf(files: Grouping["models"][number]["files"]): Origin {
+  const own = files.filter(({ method }) => method === undefined);
+  const [first] = own.map(({ path }) => brought.value.get(path)?.publicModel);
+  const same = own.every(({ path }) => {
+    const { publicModel } = brought.value.get(path) ?? {};
+    return publicModel?.set === first?.set && publicModel?.number === first?.number && overrides.value[path] === undefined;
+  });
+  return first && same ? { kind: "public", model: first } : { kind: "files" };
 }
 
 function withContent(files: Grouping["models"][number]["files"]): ModelFile[] {

@@ -2,11 +2,13 @@
 
 import { computed, signal } from "@preact/signals";
 import type { SampleOptions } from "../engine/contract";
+import type { PublicModel } from "../public/catalogue";
 import type { MethodReports, ModelSource, ScoredModel } from "../../worker/protocol";
 
-/** Where a model came from; a sample can be made again from this alone. */
+/** Where a model came from; a sample can be made again, a public model fetched again, from this alone. */
 export type Origin =
   | { readonly kind: "files" }
+  | { readonly kind: "public"; readonly model: PublicModel }
   | { readonly kind: "sample"; readonly part: string; readonly options: SampleOptions };
 
 export type Status =

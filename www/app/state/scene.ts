@@ -4,7 +4,7 @@ import { effect, signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { ModelScene } from "../../worker/protocol";
 import { modelById } from "./models";
-import { selectedMethod, selectedModel } from "./selection";
+import { rivalMethod, selectedMethod, selectedModel } from "./selection";
 
 export type SceneState =
   | { readonly kind: "none" }
@@ -19,6 +19,7 @@ let controller = new AbortController();
 effect(() => {
   const entry = modelById(selectedModel.value);
   const method = selectedMethod.value;
+  const rival = rivalMethod.value;
   const current = scene.peek();
   // Wait for the score: it tells the methods, and the worker then holds the model already.
   if (entry?.status.kind !== "scored") {
@@ -27,16 +28,17 @@ effect(() => {
     return;
   }
   const { source } = entry;
-  if (current.kind === "ready" && current.scene.key === source.key && current.scene.method === method) return;
+  const shown = current.kind === "ready" && current.scene.key === source.key ? current.scene : undefined;
+  if (shown && shown.method === method && shown.rival?.method === rival) return;
   controller.abort();
   controller = new AbortController();
   void open(controller.signal);
 
   async function open(signal: AbortSignal): Promise<void> {
-    // A model once shown stays while only the method changes.
-    if (!(current.kind === "ready" && current.scene.key === source.key)) scene.value = { kind: "loading" };
+    // A model once shown stays while only the submissions change.
+    if (!shown) scene.value = { kind: "loading" };
     try {
-      const opened = await engine.run((api) => api.open(source, method), { signal });
+      const opened = await engine.run((api) => api.open(source, method, rival), { signal });
       if (!signal.aborted) scene.value = { kind: "ready", scene: opened };
     } catch (error) {
       if (signal.aborted) return;

@@ -5,7 +5,8 @@ import { batch, computed, signal } from "@preact/signals";
 import { modelById } from "./models";
 import type { MethodReports } from "../../worker/protocol";
 
-export type Side = "truth" | "prediction";
+/** The ground truth, the selected submission, or the one that is set beside it. */
+export type Side = "truth" | "prediction" | "rival";
 
 /** A primitive by its place in the list of its segmentation, counted from 0. */
 export interface PrimitiveRef {
@@ -26,12 +27,43 @@ export const selectedMethod = computed<string | undefined>(() => {
   return methods.find((method) => method === chosenMethod.value) ?? methods[0];
 });
 
-/** The reports of what is selected, where it could be scored. */
-export const selectedReports = computed<MethodReports | undefined>(() => {
+/** A submission to be shown in the left view; the ground truth where there is none. */
+const leftMethod = signal<string | undefined>(undefined);
+/** Whether the right view shows the ground truth in place of the selected submission. */
+export const rightIsTruth = signal(false);
+
+/** What the left view is to show: a submission that the model has, else its ground truth. */
+export const leftShows = computed<string | undefined>(() => {
   const status = modelById(selectedModel.value)?.status;
   if (status?.kind !== "scored") return undefined;
-  return status.result.reports.find(({ method }) => method === selectedMethod.value);
+  const { methods, hasTruth } = status.result.info;
+  const chosen = methods.find((method) => method === leftMethod.value);
+  // Without a truth there is nothing else to set beside the selected submission.
+  return chosen ?? (hasTruth ? undefined : methods.find((method) => method !== selectedMethod.value));
 });
+
+/** The submission set beside the selected one. */
+export const rivalMethod = computed(() => (leftShows.value === selectedMethod.value ? undefined : leftShows.value));
+
+/** Shows a submission in the left view, or the ground truth. */
+export function showLeft(method: string | undefined): void {
+  batch(() => {
+    if (selectedPrimitive.value?.side === "rival") selectedPrimitive.value = undefined;
+    if (hoveredPrimitive.value?.side === "rival") hoveredPrimitive.value = undefined;
+    leftMethod.value = method;
+  });
+}
+
+/** The reports of what is selected, where it could be scored. */
+export const selectedReports = computed(() => reportsOf(selectedMethod.value));
+/** The reports of what is set beside it. */
+export const rivalReports = computed(() => reportsOf(rivalMethod.value));
+
+function reportsOf(wanted: string | undefined): MethodReports | undefined {
+  const status = modelById(selectedModel.value)?.status;
+  if (status?.kind !== "scored") return undefined;
+  return status.result.reports.find(({ method }) => method === wanted);
+}
 
 export function selectModel(id: string | undefined, method?: string): void {
   batch(() => {

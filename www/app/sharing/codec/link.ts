@@ -1,4 +1,4 @@
-// The fragment that holds results: `#share=1.…`, the version, then checksum, length and the deflated
+// The fragment that holds results: `#share=2.…`, the version, then checksum, length and the deflated
 // content in base64url.
 
 import { deflateSync, inflateSync } from "fflate";
@@ -8,9 +8,13 @@ import { fromBase64Url, toBase64Url } from "./base64url";
 import { ByteReader, ByteWriter, Damaged } from "./bytes";
 import { crc32 } from "./crc32";
 import * as version1 from "./version1";
+import * as version2 from "./version2";
 
-const CURRENT = 1;
-const READERS: Readonly<Record<number, (bytes: Uint8Array<ArrayBuffer>) => SharedResults>> = { 1: version1.read };
+const CURRENT = 2;
+const READERS: Readonly<Record<number, (bytes: Uint8Array<ArrayBuffer>) => SharedResults>> = {
+  1: version1.read,
+  2: version2.read,
+};
 
 /** Longest fragment that is read or written. Thirty-five models of one method take about an eighth. */
 export const MAX_FRAGMENT = 32_768;
@@ -21,7 +25,7 @@ const CRC_BYTES = 4;
 
 /** The fragment, with its `#`. Throws a `RangeError` where there is more than a link can hold. */
 export function writeFragment(results: SharedResults): string {
-  const content = version1.write(results);
+  const content = version2.write(results);
   const packed = new ByteWriter();
   packed.whole(content.length);
   packed.raw(deflateSync(content, { level: 9, mem: 8 }));
