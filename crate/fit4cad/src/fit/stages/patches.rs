@@ -1,18 +1,25 @@
 //! Patches: a primitive of the benchmark is one connected piece of a surface, so coplanar faces that
 //! do not touch are separate.
 //!
-//! Points of one surface are connected along the graph of nearest neighbours. Faces of one surface
-//! that come close (two lands beside a narrow groove) would be joined by their edge points, which
-//! have a second label, so a two-label point links only towards the inner side of its face, and
-//! points of three or more labels only attach to what the others have connected.
+//! The points of one surface are connected by the Gabriel graph (Gabriel and Sokal 1969): two of them
+//! are linked where the ball over the segment between them holds no third. It connects whatever any
+//! graph of the same reach does, sparse and uneven sampling included, and never steps over a row of
+//! points. Rows of points are what faces end with, so an edge is a fence: its points, which have a
+//! second label, link only towards the inner side of their face and along the edge. Faces of one
+//! surface on both sides of a narrow groove stay apart, and so do a face and another that lies in the
+//! middle of it, as where two bodies touch. Points of three or more labels only attach to what the
+//! others have connected.
 
 use super::super::Candidate;
 use super::super::search::Search;
 use super::label::Labels;
 use crate::cloud::Vector;
+use crate::cloud::neighbours::Neighbour;
 
-/// Neighbours along which points connect.
+/// Nearest points of the same surface that a point may link to.
 const LINKS: usize = 12;
+/// Longest link, in spacings of the cloud. Clouds that were sampled at random have holes of six.
+const REACH: f64 = 8.0;
 
 /// The patches of every surface, each with its points, ascending.
 pub fn patches<'c>(
@@ -27,7 +34,15 @@ pub fn patches<'c>(
         for (position, &index) in (0u32..).zip(points) {
             place[index as usize] = position;
         }
-        for patch in connected(search, candidates, labels, surface, points, &place) {
+        let face = Face {
+            search,
+            candidates,
+            labels,
+            surface,
+            points,
+            place: &place,
+        };
+        for patch in face.connected() {
             let own = patch.iter().filter(|&&i| labels.of(i).len() == 1).count();
             let supported = patch
                 .iter()
@@ -44,123 +59,193 @@ pub fn patches<'c>(
     patches
 }
 
-/// Connected components of the points of one surface.
-fn connected(
-    search: &Search<'_>,
-    candidates: &[Candidate],
-    labels: &Labels,
+/// The points of one surface.
+struct Face<'a> {
+    search: &'a Search<'a>,
+    candidates: &'a [Candidate],
+    labels: &'a Labels,
+    /// Which of the candidates.
     surface: u32,
-    points: &[u32],
-    place: &[u32],
-) -> Vec<Vec<u32>> {
-    let inward: Vec<Option<Vector>> = points
-        .iter()
-        .map(|&index| inward(search, candidates, labels, surface, index, place))
-        .collect();
-    let permits = |from: u32, to: u32, step: &Vector| -> bool {
-        let inward = inward[place[from as usize] as usize];
-        debug_assert_ne!(place[to as usize], u32::MAX);
-        inward.is_none_or(|inward| step.dot(&inward) >= -SIDEWAYS * step.norm())
-    };
-    let mut sets = DisjointSets::new(points.len());
-    for &index in points {
-        if labels.of(index).len() > 2 {
-            continue;
-        }
-        for &neighbour in search.graph.of(index).iter().take(LINKS) {
-            if place[neighbour as usize] == u32::MAX || labels.of(neighbour).len() > 2 {
+    /// Points on it, ascending.
+    points: &'a [u32],
+    /// Position in `points` of every point of the cloud, `u32::MAX` for those not on it.
+    place: &'a [u32],
+}
+
+/// What part a point takes in connecting its face.
+#[derive(Debug, Clone, Copy)]
+enum Role {
+    /// Links every way.
+    Inner,
+    /// Links inward only.
+    Edge(Vector),
+    /// Links nowhere.
+    Corner,
+}
+
+impl Face<'_> {
+    /// Connected components of the points.
+    fn connected(&self) -> Vec<Vec<u32>> {
+        let roles: Vec<Role> = self.points.iter().map(|&index| self.role(index)).collect();
+        let mut sets = DisjointSets::new(self.points.len());
+        let mut near = Vec::with_capacity(LINKS + 1);
+        for (position, &index) in (0u32..).zip(self.points) {
+            if matches!(roles[position as usize], Role::Corner) {
                 continue;
             }
-            let step = search.point(neighbour) - search.point(index);
-            if permits(index, neighbour, &step) && permits(neighbour, index, &-step) {
-                sets.join(place[index as usize], place[neighbour as usize]);
+            self.near(index, &mut near);
+            for (rank, neighbour) in near.iter().enumerate() {
+                let other = self.place[neighbour.index as usize];
+                if self.links(&roles, position, other)
+                    && self.is_open(index, neighbour, &near[..rank])
+                {
+                    sets.join(position, other);
+                }
+            }
+        }
+        self.attach(&roles, &mut sets, &mut near);
+        self.components(&mut sets)
+    }
+
+    /// The nearest points of the face, nearest first.
+    fn near(&self, index: u32, near: &mut Vec<Neighbour>) {
+        let is_on = |i: u32| self.place[i as usize] != u32::MAX;
+        let point = self.search.point(index);
+        let around = self.search.graph.of(index);
+        // Well inside the face, where most points are, the nearest of all points are the nearest.
+        if around.len() >= LINKS && around[..LINKS].iter().all(|&i| is_on(i)) {
+            near.clear();
+            near.extend(around[..LINKS].iter().map(|&index| Neighbour {
+                index,
+                distance_squared: (self.search.point(index) - point).norm_squared(),
+            }));
+            return;
+        }
+        let radius = REACH * self.search.scale.spacing;
+        let is_other = |i: u32| i != index && is_on(i);
+        self.search
+            .tree
+            .nearest(point, LINKS, radius, is_other, near);
+    }
+
+    /// Whether both ends of a link allow it.
+    fn links(&self, roles: &[Role], from: u32, to: u32) -> bool {
+        let [first, second] = [from, to].map(|position| roles[position as usize]);
+        let [start, end] = [from, to].map(|p| self.points[p as usize]);
+        let step = self.search.point(end) - self.search.point(start);
+        let allows = |role: Role, step: &Vector| match role {
+            Role::Inner => true,
+            Role::Edge(inward) => step.dot(&inward) >= -SIDEWAYS * step.norm(),
+            Role::Corner => false,
+        };
+        // Along one edge the face may lie on this side here and on that side there.
+        let same_side = match (first, second) {
+            (Role::Edge(a), Role::Edge(b)) => {
+                self.labels.of(start) != self.labels.of(end) || a.dot(&b) > 0.0
+            }
+            _ => true,
+        };
+        same_side && allows(first, &step) && allows(second, &-step)
+    }
+
+    /// Whether none of the nearer points is in the ball over a link.
+    fn is_open(&self, index: u32, neighbour: &Neighbour, nearer: &[Neighbour]) -> bool {
+        let (start, end) = (self.search.point(index), self.search.point(neighbour.index));
+        let middle = nalgebra::center(start, end);
+        let limit = 0.25 * neighbour.distance_squared * (1.0 - 1e-9);
+        nearer
+            .iter()
+            .all(|n| (self.search.point(n.index) - middle).norm_squared() >= limit)
+    }
+
+    /// Corners go to the patch of the nearest point that is none.
+    fn attach(&self, roles: &[Role], sets: &mut DisjointSets, near: &mut Vec<Neighbour>) {
+        for (position, &index) in (0u32..).zip(self.points) {
+            if matches!(roles[position as usize], Role::Corner) {
+                self.near(index, near);
+                let mut places = near.iter().map(|n| self.place[n.index as usize]);
+                let nearest = places.find(|&p| !matches!(roles[p as usize], Role::Corner));
+                if let Some(nearest) = nearest {
+                    sets.join(position, nearest);
+                }
             }
         }
     }
-    // Corners go to the patch of the nearest point that is none.
-    for &index in points {
-        if labels.of(index).len() > 2 {
-            let nearest = search.graph.of(index).iter().find(|&&neighbour| {
-                place[neighbour as usize] != u32::MAX && labels.of(neighbour).len() <= 2
-            });
-            if let Some(&nearest) = nearest {
-                sets.join(place[index as usize], place[nearest as usize]);
+
+    fn components(&self, sets: &mut DisjointSets) -> Vec<Vec<u32>> {
+        let mut components: Vec<Vec<u32>> = Vec::new();
+        let mut component = vec![usize::MAX; self.points.len()];
+        for (position, &index) in (0u32..).zip(self.points) {
+            let root = sets.root(position) as usize;
+            if component[root] == usize::MAX {
+                component[root] = components.len();
+                components.push(Vec::new());
+            }
+            components[component[root]].push(index);
+        }
+        components
+    }
+
+    /// The role of a point by its labels: within the face, on an edge or at a corner.
+    fn role(&self, index: u32) -> Role {
+        let other = match *self.labels.of(index) {
+            [a, b] => a + b - self.surface,
+            [_] => return Role::Inner,
+            _ => return Role::Corner,
+        };
+        self.inward(index, other).map_or(Role::Inner, Role::Edge)
+    }
+
+    /// The direction from a point on the edge to another surface into this face: in the surface,
+    /// across the edge, which runs along the cross product of the two normals or, where the surfaces
+    /// touch tangentially, along the points of the edge; interior neighbours tell which side. `None`
+    /// where every direction is as good.
+    fn inward(&self, index: u32, other: u32) -> Option<Vector> {
+        let point = self.search.point(index);
+        let normal_of = |surface: u32| self.candidates[surface as usize].surface.normal(point);
+        let normal = normal_of(self.surface);
+        let crossing = normal.cross(&normal_of(other));
+        let edge = if crossing.norm() > CROSSING {
+            crossing
+        } else {
+            self.run_of_edge(index)?
+        };
+        let across = normal.cross(&edge).try_normalize(f64::MIN_POSITIVE)?;
+        let mut sides = 0.0;
+        for &neighbour in self.search.graph.of(index) {
+            if self.place[neighbour as usize] != u32::MAX && self.labels.of(neighbour).len() == 1 {
+                let step = self.search.point(neighbour) - point;
+                sides += step.dot(&across).signum();
             }
         }
+        (sides != 0.0).then(|| across * f64::signum(sides))
     }
-    let mut components: Vec<Vec<u32>> = Vec::new();
-    let mut component = vec![usize::MAX; points.len()];
-    for (position, &index) in (0u32..).zip(points) {
-        let root = sets.root(position) as usize;
-        if component[root] == usize::MAX {
-            component[root] = components.len();
-            components.push(Vec::new());
-        }
-        components[component[root]].push(index);
+
+    /// The direction in which a tangential edge runs, where the surfaces themselves do not tell:
+    /// along the nearest points with the same two labels.
+    fn run_of_edge(&self, index: u32) -> Option<Vector> {
+        let point = self.search.point(index);
+        let labels = self.labels.of(index);
+        let near = self.search.graph.of(index).iter();
+        let along = near
+            .filter(|&&neighbour| self.labels.of(neighbour) == labels)
+            .take(4)
+            .map(|&neighbour| self.search.point(neighbour) - point);
+        along.reduce(|sum, step| {
+            if sum.dot(&step) < 0.0 {
+                sum - step
+            } else {
+                sum + step
+            }
+        })
     }
-    components
 }
 
 /// How far outward, as a cosine, a link may still lead: along the edge, with room for its bend.
 const SIDEWAYS: f64 = 0.25;
 
-/// The direction from a two-label point into its face: in the surface, across the edge, which runs
-/// along the cross product of the two normals or, where the surfaces touch tangentially, along the
-/// points of the edge; interior neighbours tell which side. `None` where every direction is as good.
-fn inward(
-    search: &Search<'_>,
-    candidates: &[Candidate],
-    labels: &Labels,
-    surface: u32,
-    index: u32,
-    place: &[u32],
-) -> Option<Vector> {
-    let own = labels.of(index);
-    if own.len() != 2 {
-        return None;
-    }
-    let other = if own[0] == surface { own[1] } else { own[0] };
-    let point = search.point(index);
-    let normal = candidates[surface as usize].surface.normal(point);
-    let crossing = normal.cross(&candidates[other as usize].surface.normal(point));
-    let edge = if crossing.norm() > CROSSING {
-        crossing
-    } else {
-        run_of_edge(search, labels, index)?
-    };
-    let across = normal.cross(&edge).try_normalize(f64::MIN_POSITIVE)?;
-    let mut sides = 0.0;
-    for &neighbour in search.graph.of(index) {
-        if place[neighbour as usize] != u32::MAX && labels.of(neighbour).len() == 1 {
-            let step = search.point(neighbour) - point;
-            sides += step.dot(&across).signum();
-        }
-    }
-    (sides != 0.0).then(|| across * f64::signum(sides))
-}
-
 /// Sine of the angle between two surfaces below which they touch tangentially.
 const CROSSING: f64 = 0.05;
-
-/// The direction in which a tangential edge runs, where the surfaces themselves do not tell: along
-/// the nearest points with the same two labels.
-fn run_of_edge(search: &Search<'_>, labels: &Labels, index: u32) -> Option<Vector> {
-    let point = search.point(index);
-    let along = search
-        .graph
-        .of(index)
-        .iter()
-        .filter(|&&neighbour| labels.of(neighbour) == labels.of(index))
-        .take(4)
-        .map(|&neighbour| search.point(neighbour) - point);
-    along.reduce(|sum, step| {
-        if sum.dot(&step) < 0.0 {
-            sum - step
-        } else {
-            sum + step
-        }
-    })
-}
 
 /// Union-find with path halving; the smaller index is the root, so results do not depend on the
 /// order of joining.
