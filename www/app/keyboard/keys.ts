@@ -7,7 +7,8 @@ import { nextTheme } from "../shell/header";
 import { sharing } from "../sharing/share";
 import { shownPanel } from "../shell/panels";
 import { PANELS } from "../shell/registry";
-import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
+import { picturing } from "../picture/dialog";
+import { currentView, frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
 import { cancelFitting } from "../state/fitting";
 import { modelById, models } from "../state/models";
 import { cancelScoring } from "../state/scoring";
@@ -43,6 +44,7 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "?", what: "Show these keys", run: () => (keysShown.value = true) },
       { key: "o", shown: "O", what: "Add data", run: () => (adding.value = true) },
       { key: "s", shown: "S", what: "Share and export", run: () => (sharing.value = true) },
+      { key: "c", shown: "C", what: "Save a picture of the view", run: () => (picturing.value = currentView.value !== undefined) },
       { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
       { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
       { key: "x", shown: "X", what: "Stop scoring and fitting", run: stopWork },

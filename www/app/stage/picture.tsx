@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
+import { PictureDialog } from "../picture/dialog";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
@@ -42,6 +43,7 @@ export function Picture(): JSX.Element {
         {pointed.value && <Tooltip {...pointed.value} />}
         <State />
       </div>
+      <PictureDialog />
     </div>
   );
 }

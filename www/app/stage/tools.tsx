@@ -4,6 +4,8 @@ import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
 import { STANDPOINTS } from "../view/types";
+import { picturing } from "../picture/dialog";
+import { scene } from "../state/scene";
 import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 import {
@@ -65,6 +67,9 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
       </label>
       <button type="button" disabled={!view} onClick={() => view?.fit()}>
         Fit
+      </button>
+      <button type="button" disabled={!view || scene.value.kind !== "ready"} title="Save a picture (C)" onClick={() => (picturing.value = true)}>
+        Save picture
       </button>
       <Popover label="Display">
         <div class="display-options">

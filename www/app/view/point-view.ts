@@ -324,22 +324,27 @@ export class PointView {
     return this.view.spacing();
   }
 
-  /** The view as a PNG file of any size, points and lines enlarged with it. */
-  async picture({ width, height, transparent, background }: PictureOptions): Promise<Blob> {
+  /** The view in any size, points and lines enlarged with it. */
+  pixels({ width, height, transparent, background, ink }: PictureOptions): ImageData {
     const ratio = Math.min(width / this.canvas.clientWidth, height / this.canvas.clientHeight);
     const { view, theme } = this;
-    let pixels: Uint8Array;
     try {
-      if (background) view.set_theme(unit(background), unit(theme.ink));
-      pixels = view.picture(width, height, ratio, transparent ? 0 : 1);
+      view.set_theme(unit(background ?? theme.background), unit(ink ?? theme.ink));
+      const pixels = view.picture(width, height, ratio, transparent ? 0 : 1);
+      return new ImageData(new Uint8ClampedArray(pixels), width, height);
     } finally {
-      if (background) view.set_theme(unit(theme.background), unit(theme.ink));
+      view.set_theme(unit(theme.background), unit(theme.ink));
       this.invalidate();
     }
+  }
+
+  /** The same as a PNG file. */
+  async picture(options: PictureOptions): Promise<Blob> {
+    const { width, height } = options;
     const canvas = new OffscreenCanvas(width, height);
     const context = canvas.getContext("2d");
     if (!context) throw new Error("The browser could not make a picture of this size.");
-    context.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, height), 0, 0);
+    context.putImageData(this.pixels(options), 0, 0);
     return canvas.convertToBlob({ type: "image/png" });
   }
 

@@ -88,6 +88,8 @@ export interface PictureOptions {
   readonly transparent: boolean;
   /** Behind the points where the picture is not transparent; the theme's background where absent. */
   readonly background?: string;
+  /** Of what stands out from the background; the theme's where absent. */
+  readonly ink?: string;
 }
 
 /** Why there is no picture. */
