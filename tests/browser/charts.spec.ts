@@ -67,9 +67,26 @@ test("the tables hold the engine's figures", async ({ page }) => {
   expect(counted.reduce((sum, count) => sum + count, 0)).toBe(truths.length);
   const sizes = await tableOf(chart(page, "size"));
   expect(sizes.map(([, , size]) => Number(size?.replaceAll(",", "")))).toEqual(truths.map(({ size }) => size));
+  const listed = (histogram: string[][]) => histogram.reduce((sum, [, truth]) => sum + Number(truth?.replaceAll(",", "")), 0);
+  const sum = reports[0]?.primitives.reduce((sum, { size }) => sum + size, 0);
   const distances = await tableOf(chart(page, "distances"));
-  const listed = distances.reduce((sum, [, truth]) => sum + Number(truth?.replaceAll(",", "")), 0);
-  expect(listed).toBe(reports[0]?.primitives.reduce((sum, { size }) => sum + size, 0));
+  expect(listed(distances)).toBe(sum);
+  // By orders of magnitude they are the same points.
+  await chart(page, "distances").getByRole("button", { name: /logarithmic axis$/ }).click();
+  await expect(chart(page, "distances").locator("tbody tr").first()).toContainText(/^0(\.0+)? to \d/);
+  const byMagnitude = await chart(page, "distances")
+    .locator("tbody tr")
+    .evaluateAll((found) => found.map((row) => [...row.children].map((cell) => cell.textContent ?? "")));
+  expect(listed(byMagnitude)).toBe(sum);
+  expect(byMagnitude).not.toEqual(distances);
+  await chart(page, "distances").getByRole("button", { name: /as a table$/ }).click();
+  await expect(chart(page, "distances").locator(".bins rect").first()).toBeVisible();
+  const logged = chart(page, "d1").getByRole("button", { name: /logarithmic axis$/ });
+  await expect(logged).toHaveAttribute("aria-pressed", "true");
+  const dots = () => chart(page, "d1").locator(".models-dots circle").evaluateAll((all) => all.map((dot) => dot.getAttribute("cy")));
+  const before = await dots();
+  await logged.click();
+  await expect.poll(dots).not.toEqual(before);
 });
 
 test("a click on a dot goes to its model, on a primitive to it, and the histogram follows", async ({ page }) => {
@@ -99,11 +116,17 @@ test("a click on a dot goes to its model, on a primitive to it, and the histogra
 
 test("a saved chart is a drawing of its own, with title, description and no style sheet", async ({ page }) => {
   await openCharts(page);
-  const saved = page.waitForEvent("download");
-  await chart(page, "classification").getByRole("button", { name: /^Save / }).click();
-  const file = await saved;
-  expect(file.suggestedFilename()).toBe("fit4cad-classification.svg");
-  const text = await readFile(await file.path(), "utf8");
+  const save = async (name: string) => {
+    const saved = page.waitForEvent("download");
+    await chart(page, name).getByRole("button", { name: /^Save / }).click();
+    const file = await saved;
+    expect(file.suggestedFilename()).toBe(`fit4cad-${name}.svg`);
+    return readFile(await file.path(), "utf8");
+  };
+  for (const name of ["MFE", "dHaus", "d1", "types", "confusion", "size", "distances"]) {
+    expect(await save(name)).toMatch(/^<svg .*<title>.+<\/title><desc>.+<\/desc>/s);
+  }
+  const text = await save("classification");
   const drawing = await page.evaluate((source) => {
     const parsed = new DOMParser().parseFromString(source, "image/svg+xml");
     const count = (selector: string) => parsed.querySelectorAll(selector).length;

@@ -1,7 +1,7 @@
 // How far points are from the surfaces of their primitives, for the model that is looked at.
 
 import type { JSX } from "preact";
-import { computed } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import type { SegmentationScene } from "../../worker/protocol";
 import { partnersOf, segmentationOf, segmentColours } from "../stage/colouring";
 import { reports } from "../stage/reports";
@@ -10,9 +10,9 @@ import { selectedModel, selectedPrimitive, togglePrimitive, type PrimitiveRef, t
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
-import { BINS, blocksOf, largest, type Block } from "./bins";
+import { BINS, binsTo, blocksOf, largest, type Bins, type Block } from "./bins";
 import { Chart } from "./figure";
-import { drawn, leading, Plot, tick, type Frame } from "./plot";
+import { decade, drawn, leading, Plot, tick, type Frame } from "./plot";
 
 interface Coloured extends Block {
   readonly side: Side;
@@ -31,9 +31,11 @@ interface Histogram {
   readonly model: string;
   /** The selected primitive in words; absent where it is about all of them. */
   readonly primitive: string | undefined;
-  readonly limit: number;
+  readonly bins: Bins;
   readonly halves: readonly Half[];
 }
+
+const logarithmic = signal(false);
 
 const histogram = computed<Histogram | undefined>(() => {
   const state = scene.value;
@@ -51,14 +53,15 @@ const histogram = computed<Histogram | undefined>(() => {
     return [{ side, series: series[side], segmentation, places, colours: segmentColours(side, reports.value, segmentation.primitives.length) }];
   });
   const limit = Math.max(0, ...wanted.map(({ segmentation, places }) => largest(segmentation, places)));
+  const bins = binsTo(limit, logarithmic.value);
   return {
     model,
     primitive: selected && nameOf(selected, segmentationOf(state.scene, selected.side), series[selected.side]),
-    limit,
+    bins,
     halves: wanted.map(({ side, series, segmentation, places, colours }) => ({
       side,
       series,
-      blocks: blocksOf(segmentation, places, limit).map((block) => ({
+      blocks: blocksOf(segmentation, places, bins).map((block) => ({
         ...block,
         side,
         series,
@@ -82,11 +85,12 @@ interface Row {
   readonly counts: readonly number[];
 }
 
-function rowsOf({ limit, halves }: Histogram): Row[] {
+function rowsOf({ bins: { edges, logarithmic }, halves }: Histogram): Row[] {
   return Array.from({ length: BINS }, (_, bin) => ({
     bin,
-    low: (limit * bin) / BINS,
-    high: (limit * (bin + 1)) / BINS,
+    // Everything smaller is in the first one.
+    low: logarithmic && bin === 0 ? 0 : (edges[bin] ?? 0),
+    high: edges[bin + 1] ?? 0,
     counts: halves.map(({ blocks }) => blocks.reduce((most, block) => (block.bin === bin ? Math.max(most, block.to) : most), 0)),
   }));
 }
@@ -120,12 +124,13 @@ export function DistanceChart(): JSX.Element | null {
       title={title}
       description={`Number of points by their distance to the surface of their primitive, in the units of the file. ${current.primitive ? "The selected primitive and its partner." : "Colours as in the view; select a primitive to see it alone."}`}
       draw={(frame) => draw(frame, current)}
+      logarithmic={logarithmic}
       table={() => <Table caption={title} columns={columnsOf(current)} rows={rowsOf(current)} keyOf={({ bin }) => String(bin)} />}
     />
   );
 }
 
-function draw(frame: Frame, { limit, halves }: Histogram): SVGSVGElement {
+function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
   const blocks = halves.flatMap((half) => half.blocks);
   const names = halves.map(({ side }) => side);
   const series = halves.map((half) => ({ side: half.side, text: half.series }));
@@ -135,12 +140,12 @@ function draw(frame: Frame, { limit, halves }: Histogram): SVGSVGElement {
     marginTop: 12,
     marginBottom: 38,
     marginRight: 16,
-    x: { domain: [0, limit || 1], label: "Distance →" },
+    x: { domain: [bins.edges[0] ?? 0, bins.edges.at(-1) ?? 1], type: bins.logarithmic ? "log" : "linear", label: "Distance →" },
     y: { label: null, nice: true },
     fy: { domain: names, axis: null, padding: 0.12 },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
-      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: tick }),
+      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: bins.logarithmic ? decade : tick }),
       Plot.axisY({ label: null, ticks: 4, tickFormat: "~s" }),
       Plot.rect(blocks, {
         fy: "side",

@@ -1,7 +1,7 @@
 // One chart: drawn, read as a table, or saved.
 
 import type { ComponentChildren, JSX } from "preact";
-import { useSignal } from "@preact/signals";
+import { useSignal, type Signal } from "@preact/signals";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { download } from "../export/download";
 import { isDark } from "../state/settings";
@@ -13,11 +13,13 @@ interface Props {
   readonly title: string;
   readonly description: string;
   readonly draw: (frame: Frame) => SVGSVGElement;
+  /** Whether the axis of its values is logarithmic, where there is a choice. */
+  readonly logarithmic?: Signal<boolean>;
   /** The figures that are drawn. */
   readonly table: () => ComponentChildren;
 }
 
-export function Chart({ name, title, description, draw, table }: Props): JSX.Element {
+export function Chart({ name, title, description, draw, logarithmic, table }: Props): JSX.Element {
   const id = useId();
   const asTable = useSignal(false);
   const width = useSignal(0);
@@ -58,6 +60,16 @@ export function Chart({ name, title, description, draw, table }: Props): JSX.Ele
         >
           Table
         </button>
+        {logarithmic && (
+          <button
+            type="button"
+            aria-pressed={logarithmic.value}
+            aria-label={`${title} on a logarithmic axis`}
+            onClick={() => (logarithmic.value = !logarithmic.value)}
+          >
+            Log axis
+          </button>
+        )}
         <button type="button" aria-label={`Save ${title} as SVG`} onClick={() => save(name, title, description, draw(PRINT))}>
           Save SVG
         </button>

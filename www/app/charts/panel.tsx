@@ -1,6 +1,7 @@
 // What tables hide: how measures are spread, and where a method fails.
 
 import type { JSX } from "preact";
+import { signal } from "@preact/signals";
 import { CLASSIFICATION_MEASURES, ACCURACY_MEASURES, MEASURE_TEXT } from "../measures/measures";
 import { means } from "../scores/means";
 import { models, scoredRows } from "../state/models";
@@ -12,6 +13,9 @@ import { chartedMethod, scope } from "./scope";
 import { SizeChart } from "./size";
 import { SpreadChart } from "./spread";
 import { TypesChart } from "./types";
+
+/** Distances of coefficients range over orders of magnitude, the others seldom do. */
+const logarithmic = { MFE: signal(false), dHaus: signal(false), d1: signal(true) };
 
 export default function ChartsPanel(): JSX.Element {
   const several = models.value.length > 1;
@@ -53,6 +57,7 @@ function Spreads(): JSX.Element {
           name={measure}
           title={`${MEASURE_TEXT[measure].name} (${measure}) over models`}
           measures={[measure]}
+          logarithmic={logarithmic[measure]}
         />
       ))}
     </>

@@ -58,6 +58,13 @@ export function tick(value: number): string {
   return String(Number(value.toPrecision(6)));
 }
 
+/** A tick of a logarithmic axis: decades in figures, what lies between them without. */
+export function decade(value: number): string {
+  const exponent = Math.log10(value);
+  if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return "";
+  return value >= 0.001 && value < 10_000 ? tick(value) : value.toExponential(0).replace("e-", "e−").replace("e+", "e");
+}
+
 type Go = () => void;
 
 const actions = new WeakMap<EventTarget, Go>();

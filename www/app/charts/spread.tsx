@@ -1,6 +1,7 @@
 // How measures are spread over models: the paper's box plots.
 
 import type { JSX } from "preact";
+import type { Signal } from "@preact/signals";
 import type { Distribution, Measure } from "../engine/contract";
 import { isShare, MEASURE_TEXT } from "../measures/measures";
 import { means } from "../scores/means";
@@ -10,7 +11,7 @@ import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { Chart } from "./figure";
-import { drawn, leading, legend, Plot, tick, type Frame } from "./plot";
+import { decade, drawn, leading, legend, Plot, tick, type Frame } from "./plot";
 import { goTo, isSelected, methodColour } from "./scope";
 
 interface Box {
@@ -52,9 +53,11 @@ interface Props {
   readonly name: string;
   readonly title: string;
   readonly measures: readonly Measure[];
+  /** The choice of a logarithmic axis, for measures that are no shares. */
+  readonly logarithmic?: Signal<boolean>;
 }
 
-export function SpreadChart({ name, title, measures }: Props): JSX.Element | null {
+export function SpreadChart({ name, title, measures, logarithmic }: Props): JSX.Element | null {
   const known = means.value?.protocol === protocol.value ? means.value : undefined;
   const boxes = measures.flatMap((measure) =>
     (known?.methods ?? []).flatMap(({ method, over }) => (over[measure] ? [{ measure, method, over: over[measure] }] : [])),
@@ -66,13 +69,15 @@ export function SpreadChart({ name, title, measures }: Props): JSX.Element | nul
       return value === null ? [] : [{ measure, method: reports.method, model: entry.id, value }];
     }),
   );
+  const log = logarithmic?.value === true && values.some(({ value }) => value > 0);
   const better = measures.some((measure) => MEASURE_TEXT[measure].good === "lower") ? "Lower" : "Higher";
   return (
     <Chart
       name={name}
       title={title}
-      description={`${better} is better. Box: quartiles and median; whiskers: least and largest; diamond: mean; dots: models.`}
-      draw={(frame) => draw(frame, measures, boxes, values)}
+      description={`${better} is better. Box: quartiles and median; whiskers: least and largest; diamond: mean; dots: models.${log && values.some(({ value }) => value <= 0) ? " On a logarithmic axis 0 lies on the lower edge." : ""}`}
+      draw={(frame) => draw(frame, measures, boxes, values, log)}
+      {...(logarithmic && { logarithmic })}
       table={() => (
         <Table caption={title} columns={COLUMNS} rows={boxes} keyOf={({ measure, method }) => `${measure} ${method}`} />
       )}
@@ -80,14 +85,28 @@ export function SpreadChart({ name, title, measures }: Props): JSX.Element | nul
   );
 }
 
-function draw(frame: Frame, measures: readonly Measure[], boxes: readonly Box[], values: readonly Value[]): SVGSVGElement {
+function draw(
+  frame: Frame,
+  measures: readonly Measure[],
+  boxes: readonly Box[],
+  values: readonly Value[],
+  log: boolean,
+): SVGSVGElement {
+  // A logarithm has no place for 0: it is drawn on the lower edge, at the power of ten below all else.
+  const least = values.reduce((found, { value }) => (value > 0 && value < found ? value : found), Infinity);
+  const edge = log ? 10 ** Math.floor(Math.log10(least)) : -Infinity;
+  const largest = values.reduce((found, { value }) => Math.max(found, value), edge);
+  const up = (value: number) => Math.max(value, edge);
+  const scale = log
+    ? { type: "log", domain: [edge, largest > edge ? largest : 10 * edge] } as const
+    : { zero: true, nice: true, ...(measures.every(isShare) ? { domain: [0, 1] } : {}) };
   const methods = [...new Set(boxes.map(({ method }) => method))];
   const marginLeft = 52;
   const keys = legend(methods.map((text) => ({ text, colour: methodColour(text) })), frame, marginLeft);
   const column = { fx: "measure", x: "method" } as const;
   const wide = { insetLeft: 2, insetRight: 2 };
   const current = values.filter(isSelected);
-  const place = { ...column, y: "value", r: 2.5 } as const;
+  const place = { ...column, y: ({ value }: Value) => up(value), r: 2.5 } as const;
   return drawn(frame, {
     height: 250 + keys.height,
     marginLeft,
@@ -95,23 +114,23 @@ function draw(frame: Frame, measures: readonly Measure[], boxes: readonly Box[],
     marginBottom: 24,
     fx: { domain: measures, label: null, padding: 0.12, axis: null },
     x: { domain: methods, axis: null, padding: 0.15 },
-    y: { label: null, zero: true, nice: true, ...(measures.every(isShare) ? { domain: [0, 1] } : {}) },
+    y: { label: null, ...scale },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1 }),
       Plot.axisFx({ anchor: "bottom", label: null, fontSize: 11 }),
-      Plot.axisY({ label: null, ...(measures.every(isShare) ? {} : { tickFormat: tick }) }),
-      Plot.ruleX(boxes, { ...column, y1: ({ over }: Box) => over.min, y2: ({ over }: Box) => over.max, stroke: frame.ink }),
+      Plot.axisY({ label: null, ...(log ? { tickFormat: decade } : measures.every(isShare) ? {} : { tickFormat: tick }) }),
+      Plot.ruleX(boxes, { ...column, y1: ({ over }: Box) => up(over.min), y2: ({ over }: Box) => up(over.max), stroke: frame.ink }),
       Plot.barY(boxes, {
         ...column,
         ...wide,
-        y1: ({ over }: Box) => over.lowerQuartile,
-        y2: ({ over }: Box) => over.upperQuartile,
+        y1: ({ over }: Box) => up(over.lowerQuartile),
+        y2: ({ over }: Box) => up(over.upperQuartile),
         fill: ({ method }: Box) => methodColour(method),
         stroke: frame.ink,
         className: "boxes",
       }),
-      Plot.tickY(boxes, { ...column, ...wide, y: ({ over }: Box) => over.median, stroke: frame.ink, strokeWidth: 2.5 }),
-      Plot.dot(boxes, { ...column, y: ({ over }: Box) => over.mean, symbol: "diamond", r: 4, fill: frame.surface, stroke: frame.ink }),
+      Plot.tickY(boxes, { ...column, ...wide, y: ({ over }: Box) => up(over.median), stroke: frame.ink, strokeWidth: 2.5 }),
+      Plot.dot(boxes, { ...column, y: ({ over }: Box) => up(over.mean), symbol: "diamond", r: 4, fill: frame.surface, stroke: frame.ink }),
       Plot.dot(values, {
         ...place,
         fill: frame.surface,

@@ -71,10 +71,12 @@ export const KEYS: readonly ShortcutGroup[] = [
   },
   {
     title: "Panels",
-    shortcuts: PANELS.slice(0, 9).map(({ id, title }, i) => ({
+    shortcuts: PANELS.slice(0, 9).map(({ id, title, offered }, i) => ({
       key: String(i + 1),
-      what: title,
-      run: () => (shownPanel.value = id),
+      what: offered ? `${title}, where a link is open` : title,
+      run: () => {
+        if (offered?.() ?? true) shownPanel.value = id;
+      },
     })),
   },
 ];
