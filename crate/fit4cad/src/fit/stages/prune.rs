@@ -1,11 +1,18 @@
 //! Pruning: surfaces found twice become one, and surfaces that others explain are dropped.
 
 use super::super::Candidate;
+use super::super::least_squares::{self, Loss, degrees_of_freedom};
 use super::super::search::Search;
 use super::membership;
+use crate::surface::Surface;
 
-/// Share of a surface's points on another of its type, both ways, above which they are one.
+/// Share of the points of two patches on one surface from which on it is the surface of both.
 const SAME: f64 = 0.9;
+/// Distance, in tolerances, at which two surfaces may turn out to be one: as far as one fitted to a
+/// narrow patch strays across the cloud.
+const ROUGHLY: f64 = 30.0;
+/// Points of either patch that their common surface is fitted to.
+const UNION_SAMPLE: usize = 400;
 /// Share of a surface's points in the interior of others above which it is dropped.
 const EXPLAINED: f64 = 0.5;
 
@@ -28,7 +35,9 @@ fn drop_adrift(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candi
     }
     loop {
         let adrift = candidates.iter().rposition(|candidate| {
-            candidate.support.len() < SMALL && share_adrift(search, candidate, &claims) > ADRIFT
+            candidate.support.len() < SMALL
+                && !is_exact(search, candidate)
+                && share_adrift(search, candidate, &claims) > ADRIFT
         });
         let Some(place) = adrift else {
             return candidates;
@@ -38,6 +47,20 @@ fn drop_adrift(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candi
         }
     }
 }
+
+/// Whether so many points are so near a surface that it is no accident.
+fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
+    let spare = candidate
+        .support
+        .len()
+        .saturating_sub(degrees_of_freedom(candidate.surface.kind()));
+    search.scale.is_clean() && spare >= SPARE && candidate.error < EXACT * search.scale.tolerance
+}
+
+/// Points beyond those that any surface of the family passes through.
+const SPARE: usize = 2;
+/// Error, in tolerances, of a face of CAD: an accidental fit fills the tolerance.
+const EXACT: f64 = 0.05;
 
 /// Share of the points around a patch that no patch holds.
 fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
@@ -58,35 +81,61 @@ const SMALL: usize = 150;
 /// Share of surrounding points on no surface that makes a small patch an accident.
 const ADRIFT: f64 = 0.5;
 
+/// Makes one of candidates that are on one surface, fitted to all of them: a narrow patch does not
+/// say precisely how its surface goes on to the next.
 fn merge_equal(search: &Search<'_>, candidates: Vec<Candidate>) -> Vec<Candidate> {
     let mut merged: Vec<Candidate> = Vec::with_capacity(candidates.len());
     for candidate in candidates {
-        let same = merged.iter_mut().find(|other| {
-            other.surface.kind() == candidate.surface.kind()
-                && share_on(search, &candidate.support, other) >= SAME
-                && share_on(search, &other.support, &candidate) >= SAME
-        });
-        match same {
-            // The larger patch determines the surface better.
-            Some(other) => {
-                other.support.extend(&candidate.support);
-                other.support.sort_unstable();
-                other.support.dedup();
-            }
+        let union = merged
+            .iter()
+            .enumerate()
+            .find_map(|(place, other)| Some((place, union(search, other, &candidate)?)));
+        match union {
+            Some((place, union)) => merged[place] = union,
             None => merged.push(candidate),
         }
     }
     merged
 }
 
-/// Share of the points (a sample of them) that lie on a surface.
-fn share_on(search: &Search<'_>, points: &[u32], other: &Candidate) -> f64 {
+/// The one surface of two candidates, the first being the larger, if there is one.
+fn union(search: &Search<'_>, large: &Candidate, small: &Candidate) -> Option<Candidate> {
+    let tolerance = search.scale.tolerance;
+    let is_near = large.surface.kind() == small.surface.kind()
+        && share_on(search, &small.support, &large.surface, ROUGHLY * tolerance) >= SAME;
+    if !is_near {
+        return None;
+    }
+    let sample = |candidate: &Candidate| {
+        let stride = candidate.support.len().div_ceil(UNION_SAMPLE).max(1);
+        let support = candidate.support.iter().copied();
+        search.points(&support.step_by(stride).collect::<Vec<u32>>())
+    };
+    let points = [sample(large), sample(small)].concat();
+    let fitted = least_squares::fit(&large.surface, &points, Loss::Squares)?;
+    let is_on = |candidate: &Candidate| {
+        share_on(search, &candidate.support, &fitted.surface, tolerance) >= SAME
+    };
+    if !(is_on(large) && is_on(small)) {
+        return None;
+    }
+    let mut support = [large.support.as_slice(), &small.support].concat();
+    support.sort_unstable();
+    support.dedup();
+    Some(Candidate {
+        surface: fitted.surface,
+        support,
+        error: fitted.error,
+    })
+}
+
+/// Share of the points (a sample of them) within a distance of a surface.
+fn share_on(search: &Search<'_>, points: &[u32], surface: &Surface, limit: f64) -> f64 {
     let stride = points.len().div_ceil(64).max(1);
     let (mut on, mut all) = (0u32, 0u32);
     for &index in points.iter().step_by(stride) {
         all += 1;
-        let distance = other.surface.distance(search.point(index));
-        on += u32::from(distance <= 2.0 * search.scale.tolerance);
+        on += u32::from(surface.distance(search.point(index)) <= limit);
     }
     f64::from(on) / f64::from(all.max(1))
 }
