@@ -69,18 +69,6 @@ test("focus is never without a visible mark", async ({ page }) => {
   }
 });
 
-test("the page asks no one else for anything", async ({ page }) => {
-  const strangers: string[] = [];
-  page.on("request", (request) => {
-    const { protocol, host } = new URL(request.url());
-    if (protocol.startsWith("http") && host !== new URL(page.url() === "about:blank" ? request.url() : page.url()).host) {
-      strangers.push(request.url());
-    }
-  });
-  await open(page);
-  expect(strangers).toEqual([]);
-});
-
 test("the views are given more or less room by keyboard and by dragging", async ({ page }) => {
   await open(page);
   const height = async () => (await page.locator(".canvas-box").boundingBox())?.height ?? 0;

@@ -1,4 +1,9 @@
+import { brotliCompressSync } from "node:zlib";
+import type { Response } from "@playwright/test";
 import { expect, open, rows, test } from "./support/test";
+
+/** The most that a first visit may take before the page is in use, in bytes as served. */
+const FIRST_LOAD = 500_000;
 
 test("after the first visit the page opens, scores and shows every panel without a network", async ({ page, context }) => {
   await open(page);
@@ -32,4 +37,28 @@ test("the page asks nobody but its own host for anything", async ({ page, baseUR
   for (const panel of await page.getByRole("tab").all()) await panel.click();
   expect(foreign).toEqual([]);
   expect(refused).toEqual([]);
+});
+
+test("a first visit fetches at most 500 kB, and neither charts nor fitters before they are wanted", async ({ browser }) => {
+  // The service worker fetches the rest later, when the page is in use.
+  const context = await browser.newContext({ serviceWorkers: "block" });
+  const page = await context.newPage();
+  const responses: Response[] = [];
+  page.on("response", (response) => responses.push(response));
+  const names = () => responses.map((response) => new URL(response.url()).pathname);
+  await open(page);
+  const first = await Promise.all(responses.map((response) => response.body()));
+  const sizes = first.map((body) => brotliCompressSync(body).length);
+  expect(names().filter((name) => name.endsWith(".wasm"))).toHaveLength(2);
+  expect(sizes.reduce((sum, size) => sum + size, 0)).toBeLessThanOrEqual(FIRST_LOAD);
+
+  const before = responses.length;
+  await page.getByRole("tab", { name: "Charts" }).click();
+  await expect(page.locator(".charts svg").first()).toBeVisible();
+  expect(responses.length).toBeGreaterThan(before);
+  expect(names().filter((name) => name.endsWith(".wasm"))).toHaveLength(2);
+  await page.getByRole("tab", { name: "Fit", exact: true }).click();
+  await expect(page.getByLabel("Tolerance", { exact: true })).toBeVisible();
+  expect(names().filter((name) => name.endsWith(".wasm"))).toHaveLength(3);
+  await context.close();
 });

@@ -12,7 +12,7 @@ import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
 import { BINS, binsTo, blocksOf, largest, type Bins, type Block } from "./bins";
 import { Chart } from "./figure";
-import { decade, drawn, leading, Plot, tick, type Frame } from "./plot";
+import { decades, drawn, leading, Plot, tick, type Frame } from "./plot";
 
 interface Coloured extends Block {
   readonly side: Side;
@@ -131,6 +131,7 @@ export function DistanceChart(): JSX.Element | null {
 }
 
 function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
+  const [low, high] = [bins.edges[0] ?? 0, bins.edges.at(-1) ?? 1];
   const blocks = halves.flatMap((half) => half.blocks);
   const names = halves.map(({ side }) => side);
   const series = halves.map((half) => ({ side: half.side, text: half.series }));
@@ -140,12 +141,12 @@ function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
     marginTop: 12,
     marginBottom: 38,
     marginRight: 16,
-    x: { domain: [bins.edges[0] ?? 0, bins.edges.at(-1) ?? 1], type: bins.logarithmic ? "log" : "linear", label: "Distance →" },
+    x: { domain: [low, high], type: bins.logarithmic ? "log" : "linear", label: "Distance →" },
     y: { label: null, nice: true },
     fy: { domain: names, axis: null, padding: 0.12 },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
-      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: bins.logarithmic ? decade : tick }),
+      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: bins.logarithmic ? decades(low, high) : tick }),
       Plot.axisY({ label: null, ticks: 4, tickFormat: "~s" }),
       Plot.rect(blocks, {
         fy: "side",

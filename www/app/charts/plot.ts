@@ -58,11 +58,14 @@ export function tick(value: number): string {
   return String(Number(value.toPrecision(6)));
 }
 
-/** A tick of a logarithmic axis: decades in figures, what lies between them without. */
-export function decade(value: number): string {
-  const exponent = Math.log10(value);
-  if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return "";
-  return value >= 0.001 && value < 10_000 ? tick(value) : value.toExponential(0).replace("e-", "e−").replace("e+", "e");
+/** Ticks of a logarithmic axis: powers of ten in figures, and what lies between where there are few of them. */
+export function decades(low: number, high: number): (value: number) => string {
+  const spelt = high / low > 300 ? [1] : high / low > 20 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+  return (value) => {
+    const exponent = Math.floor(Math.log10(value) + 1e-9);
+    if (!spelt.includes(Number((value / 10 ** exponent).toPrecision(6)))) return "";
+    return value >= 0.0001 && value < 10_000 ? tick(value) : value.toExponential(0).replace("e-", "e−").replace("e+", "e");
+  };
 }
 
 type Go = () => void;

@@ -11,7 +11,7 @@ import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { Chart } from "./figure";
-import { decade, drawn, leading, legend, Plot, tick, type Frame } from "./plot";
+import { decades, drawn, leading, legend, Plot, tick, type Frame } from "./plot";
 import { goTo, isSelected, methodColour } from "./scope";
 
 interface Box {
@@ -96,9 +96,10 @@ function draw(
   const least = values.reduce((found, { value }) => (value > 0 && value < found ? value : found), Infinity);
   const edge = log ? 10 ** Math.floor(Math.log10(least)) : -Infinity;
   const largest = values.reduce((found, { value }) => Math.max(found, value), edge);
+  const top = largest > edge ? largest : 10 * edge;
   const up = (value: number) => Math.max(value, edge);
   const scale = log
-    ? { type: "log", domain: [edge, largest > edge ? largest : 10 * edge] } as const
+    ? { type: "log", domain: [edge, top] } as const
     : { zero: true, nice: true, ...(measures.every(isShare) ? { domain: [0, 1] } : {}) };
   const methods = [...new Set(boxes.map(({ method }) => method))];
   const marginLeft = 52;
@@ -118,7 +119,7 @@ function draw(
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1 }),
       Plot.axisFx({ anchor: "bottom", label: null, fontSize: 11 }),
-      Plot.axisY({ label: null, ...(log ? { tickFormat: decade } : measures.every(isShare) ? {} : { tickFormat: tick }) }),
+      Plot.axisY({ label: null, ...(log ? { tickFormat: decades(edge, top) } : measures.every(isShare) ? {} : { tickFormat: tick }) }),
       Plot.ruleX(boxes, { ...column, y1: ({ over }: Box) => up(over.min), y2: ({ over }: Box) => up(over.max), stroke: frame.ink }),
       Plot.barY(boxes, {
         ...column,

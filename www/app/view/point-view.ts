@@ -327,13 +327,15 @@ export class PointView {
   /** The view in any size, points and lines enlarged with it. */
   pixels({ width, height, transparent, background, ink }: PictureOptions): ImageData {
     const ratio = Math.min(width / this.canvas.clientWidth, height / this.canvas.clientHeight);
-    const { view, theme } = this;
+    const { view, theme, canvas, camera } = this;
     try {
+      this.keepInSight(this.aspect(canvas.width, canvas.height), this.aspect(width, height));
       view.set_theme(unit(background ?? theme.background), unit(ink ?? theme.ink));
       const pixels = view.picture(width, height, ratio, transparent ? 0 : 1);
       return new ImageData(new Uint8ClampedArray(pixels), width, height);
     } finally {
       view.set_theme(unit(theme.background), unit(theme.ink));
+      this.setCamera(camera);
       this.invalidate();
     }
   }
@@ -411,6 +413,18 @@ export class PointView {
     return this.canvas.height - y * this.ratio;
   }
 
+  /** Width of one of the views over its height, on a canvas of a size. */
+  private aspect(width: number, height: number): number {
+    if (this.layout.kind !== "split") return width / height;
+    return width >= height ? width / 2 / height : width / (height / 2);
+  }
+
+  /** A camera keeps the height that it shows; where a view gets narrower than high, what is at its sides must not leave. */
+  private keepInSight(from: number, to: number): void {
+    const factor = Math.min(1, from) / Math.min(1, to);
+    if (factor !== 1) this.setCamera({ ...this.camera, height: factor * this.camera.height });
+  }
+
   private measure(entry: ResizeObserverEntry | undefined): void {
     const { canvas } = this;
     const exact = entry?.devicePixelContentBoxSize?.[0];
@@ -418,6 +432,7 @@ export class PointView {
     const width = exact?.inlineSize ?? Math.round(canvas.clientWidth * this.ratio);
     const height = exact?.blockSize ?? Math.round(canvas.clientHeight * this.ratio);
     if (width === 0 || height === 0) return;
+    this.keepInSight(this.aspect(canvas.width, canvas.height), this.aspect(width, height));
     canvas.width = width;
     canvas.height = height;
     this.view.resize(width, height, this.ratio);
