@@ -4,6 +4,7 @@ use super::super::Candidate;
 use super::super::least_squares::{self, Loss, degrees_of_freedom};
 use super::super::search::Search;
 use super::membership;
+use crate::cloud::normals::Spread;
 use crate::surface::Surface;
 
 /// Share of the points of two patches on one surface from which on it is the surface of both.
@@ -48,15 +49,24 @@ fn drop_adrift(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candi
     }
 }
 
-/// Whether so many points are so near a surface that it is no accident.
+/// Whether so many points are so near a surface that it is no accident. A row of points, which lies
+/// on many surfaces exactly, says nothing.
 fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
-    let spare = candidate
-        .support
-        .len()
-        .saturating_sub(degrees_of_freedom(candidate.surface.kind()));
-    search.scale.is_clean() && spare >= SPARE && candidate.error < EXACT * search.scale.tolerance
+    let freedom = degrees_of_freedom(candidate.surface.kind());
+    let spare = candidate.support.len().saturating_sub(freedom);
+    if !search.scale.is_clean()
+        || spare < SPARE
+        || candidate.error >= EXACT * search.scale.tolerance
+    {
+        return false;
+    }
+    let points = candidate.support.iter().map(|&index| search.point(index));
+    Spread::of(points)
+        .is_some_and(|spread| spread.variances[1].sqrt() >= WIDE * search.scale.spacing)
 }
 
+/// Standard deviation across a patch, in spacings, from which on it is more than a row.
+const WIDE: f64 = 0.3;
 /// Points beyond those that any surface of the family passes through.
 const SPARE: usize = 2;
 /// Error, in tolerances, of a face of CAD: an accidental fit fills the tolerance.
