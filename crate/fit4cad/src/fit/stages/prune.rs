@@ -4,6 +4,7 @@ use super::super::Candidate;
 use super::super::least_squares::{self, Loss, degrees_of_freedom};
 use super::super::search::Search;
 use super::membership;
+use crate::cloud::Point;
 use crate::cloud::normals::Spread;
 use crate::surface::Surface;
 
@@ -60,13 +61,20 @@ fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
     {
         return false;
     }
-    let points = candidate.support.iter().map(|&index| search.point(index));
-    Spread::of(points)
-        .is_some_and(|spread| spread.variances[1].sqrt() >= WIDE * search.scale.spacing)
+    let points = search.points(&candidate.support);
+    let Some(spread) = Spread::of(points.iter()) else {
+        return false;
+    };
+    let beside = |point: &&Point| {
+        let offset = *point - spread.centroid;
+        offset.cross(&spread.directions[2]).norm() >= BESIDE * search.scale.spacing
+    };
+    4 * points.iter().filter(beside).count() >= points.len()
 }
 
-/// Standard deviation across a patch, in spacings, from which on it is more than a row.
-const WIDE: f64 = 0.3;
+/// Distance from the middle line of a patch, in spacings, beyond which a fourth of its points lie if
+/// it is more than a row.
+const BESIDE: f64 = 0.3;
 /// Points beyond those that any surface of the family passes through.
 const SPARE: usize = 2;
 /// Error, in tolerances, of a face of CAD: an accidental fit fills the tolerance.
