@@ -2,7 +2,7 @@
 // It starts as the scorer; the whole engine, with the fitters, is fetched when it is first asked for.
 
 import * as Comlink from "comlink";
-import init, { Model, distribution, group, parts, version } from "../generated/scorer/scorer.js";
+import init, { Model, datasetStatistics, distribution, group, parts, version } from "../generated/scorer/scorer.js";
 import type { InputFile } from "../generated/engine/engine.js";
 import type {
   EngineWorker,
@@ -167,6 +167,25 @@ const worker: EngineWorker = {
 
   async patch(source, place, method) {
     return (await read(source)).patch(place, method);
+  },
+
+  async audit(source) {
+    const whole = await wholeEngine();
+    const model = whole.Model.read(source.name, await contents(source));
+    try {
+      return { audit: model.audit(), corrected: model.info().hasTruth ? model.corrected() : undefined };
+    } finally {
+      model.free();
+    }
+  },
+
+  async statistics(source) {
+    return (await read(source)).statistics();
+  },
+
+  async datasetStatistics(models) {
+    await ready;
+    return datasetStatistics([...models]);
   },
 
   async write(source, method) {

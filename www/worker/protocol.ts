@@ -4,10 +4,14 @@
 // answer it and ending a worker loses nothing but the call under way.
 
 import type {
+  Audit,
+  Corrected,
+  DatasetStatistics,
   Distribution,
   FitMethod,
   Grouping,
   ModelInfo,
+  ModelStatistics,
   Override,
   ParameterInfo,
   PartInfo,
@@ -79,6 +83,13 @@ export interface WrittenFiles {
   readonly files: readonly ModelFile[];
 }
 
+/** What an audit of a ground truth yields. */
+export interface AuditedModel {
+  readonly audit: Audit;
+  /** Its surface files with wrong vectors replaced; nothing where there is no truth. */
+  readonly corrected: Corrected | undefined;
+}
+
 /** How a fitter is to be run. */
 export interface FitRequest {
   readonly method: FitMethod;
@@ -115,6 +126,10 @@ export interface EngineWorker {
   patch(source: ModelSource, place: number, method: string | undefined): Promise<PatchMesh | undefined>;
   /** How each list of values is spread; NaN is left out, a list of nothing else gives nothing. */
   distributions(lists: readonly Float64Array[]): Promise<(Distribution | undefined)[]>;
+  /** Audits the ground truth: its files, and points, parametric and implicit form against each other. */
+  audit(source: ModelSource): Promise<AuditedModel>;
+  statistics(source: ModelSource): Promise<ModelStatistics>;
+  datasetStatistics(models: readonly ModelStatistics[]): Promise<DatasetStatistics>;
   /** The three files of a submission, as the engine writes them. */
   write(source: ModelSource, method: string): Promise<ModelFile[]>;
   /** SHA-256 of each in hexadecimal digits; null on a page that came over an unsafe connection. */

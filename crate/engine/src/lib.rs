@@ -22,6 +22,7 @@ mod primitive;
 mod report;
 mod statistics;
 mod stop;
+#[cfg(feature = "workshop")]
 mod studio;
 mod summary;
 
@@ -51,7 +52,8 @@ pub use report::{
     Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
 pub use statistics::{DatasetStatistics, ModelStatistics, Spread, Types, dataset_statistics};
-pub use studio::{Block, Operation, ShapeInfo, SizeInfo, shapes};
+#[cfg(feature = "workshop")]
+pub use studio::{Block, Operation, ShapeInfo, shapes};
 pub use summary::{Distribution, distribution};
 
 use tsify::{Ts, Tsify};

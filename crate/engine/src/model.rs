@@ -220,6 +220,11 @@ impl Model {
         Ok(Float32Array::from(distances.as_slice()))
     }
 
+    /// Writes `PCi.txt`, which needs no truth.
+    pub fn cloud(&self) -> String {
+        write_cloud(&self.model.cloud)
+    }
+
     /// Writes the files of a method, or of the truth, so that reading them gives the same again.
     ///
     /// # Errors
@@ -227,7 +232,7 @@ impl Model {
     pub fn write(&self, method: Option<String>) -> Result<Ts<Texts>, JsError> {
         let segmentation = self.segmentation(method.as_deref())?;
         hand_over(&Texts {
-            cloud: method.is_none().then(|| write_cloud(&self.model.cloud)),
+            cloud: method.is_none().then(|| self.cloud()),
             primitives: write_primitives(segmentation),
             parametric: write_surfaces(segmentation, Form::Parametric),
             implicit: write_surfaces(segmentation, Form::Implicit),

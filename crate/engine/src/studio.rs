@@ -9,15 +9,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::model::Model;
 use crate::{SampleOptions, hand_over};
 
-/// A size of a shape.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
-pub struct SizeInfo {
-    /// Its name.
-    pub name: &'static str,
-    /// A value to begin with.
-    pub default: f64,
-}
-
 /// A shape that blocks can have.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
 pub struct ShapeInfo {
@@ -25,8 +16,10 @@ pub struct ShapeInfo {
     pub name: &'static str,
     /// Name to be shown.
     pub title: &'static str,
-    /// Its sizes in order.
-    pub sizes: Vec<SizeInfo>,
+    /// Names of its sizes in order.
+    pub sizes: Vec<&'static str>,
+    /// A value to begin with for each size.
+    pub defaults: Vec<f64>,
 }
 
 /// What a block does to the part so far.
@@ -49,9 +42,11 @@ pub struct Block {
     /// Its sizes, in the order of the shape's.
     pub sizes: Vec<f64>,
     /// Where its centre is.
-    pub position: [f64; 3],
+    #[tsify(type = "[number, number, number]")]
+    pub position: Vec<f64>,
     /// Degrees by which it is turned about its centre: about x, then y, then z.
-    pub rotation: [f64; 3],
+    #[tsify(type = "[number, number, number]")]
+    pub rotation: Vec<f64>,
 }
 
 /// The shapes that blocks can have.
@@ -61,13 +56,12 @@ pub struct Block {
 #[wasm_bindgen]
 pub fn shapes() -> Result<Vec<Ts<ShapeInfo>>, JsError> {
     let info = |shape: &sample::ShapeInfo| {
-        let sizes = shape.sizes.iter();
+        let (sizes, defaults) = shape.sizes.iter().copied().unzip();
         hand_over(&ShapeInfo {
             name: shape.name,
             title: shape.title,
-            sizes: sizes
-                .map(|&(name, default)| SizeInfo { name, default })
-                .collect(),
+            sizes,
+            defaults,
         })
     };
     SHAPES.iter().map(info).collect()
@@ -147,13 +141,16 @@ impl TryFrom<Block> for sample::Block {
             },
             shape: shape.shape,
             sizes: block.sizes,
-            position: block.position,
-            rotation: block.rotation,
+            position: numbers("position", &block.position)?,
+            rotation: numbers("rotation", &block.rotation)?,
         })
     }
 }
 
 fn numbers<const N: usize>(what: &str, given: &[f64]) -> Result<[f64; N], JsError> {
-    let wrong = |_| JsError::new(&format!("the {what} is {N} numbers, not {}", given.len()));
-    given.try_into().map_err(wrong)
+    given.try_into().map_err(|_| miscounted(what, N))
+}
+
+fn miscounted(what: &str, wanted: usize) -> JsError {
+    JsError::new(&format!("the {what} is made of {wanted} numbers"))
 }

@@ -4,10 +4,10 @@
 import { engine } from "../engine/client";
 import type { ModelEntry } from "../state/models";
 import type { ModelFile, ModelSource } from "../../worker/protocol";
-import type { ZipAnswer, ZipEntry } from "../../worker/zip";
 import { hashed } from "./hashes";
 import { engineVersion } from "./results";
 import type { Protocol } from "../engine/contract";
+import { zip } from "./zip";
 
 const ROLES = ["primitives", "parametric", "implicit"] as const;
 
@@ -42,16 +42,4 @@ async function submissionOf(name: string, source: ModelSource, method: string): 
 export function safe(name: string): string {
   // eslint-disable-next-line no-control-regex -- they are what is removed
   return name.replace(/[\u0000-\u001f\u007f/\\:*?"<>|]/g, "_").replace(/^\.+/, "_") || "_";
-}
-
-function zip(entries: readonly ZipEntry[]): Promise<Blob> {
-  const worker = new Worker(new URL("../../worker/zip.ts", import.meta.url), { type: "module", name: "zip" });
-  return new Promise<Blob>((resolve, reject) => {
-    worker.onmessage = ({ data }: MessageEvent<ZipAnswer>) => {
-      if ("zip" in data) resolve(data.zip);
-      else reject(new Error(data.error));
-    };
-    worker.onerror = (event) => reject(new Error(event.message || "The zip could not be made."));
-    worker.postMessage(entries.map(({ path, data }) => ({ path, data })));
-  }).finally(() => worker.terminate());
 }

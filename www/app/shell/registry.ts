@@ -24,6 +24,7 @@ export const PAGES: readonly PageDefinition[] = [
   { id: "lesson-hough", title: "The Hough transform", under: "lessons", load: () => import("../lessons/hough/page") },
   { id: "lesson-growing", title: "Primitive growing", under: "lessons", load: () => import("../lessons/growing/page") },
   { id: "lesson-forms", title: "Implicit and parametric", under: "lessons", load: () => import("../lessons/forms/page") },
+  { id: "studio", title: "Studio", load: () => import("../studio/page") },
 ];
 
 export const PANELS: readonly PanelDefinition[] = [
@@ -33,6 +34,7 @@ export const PANELS: readonly PanelDefinition[] = [
   { id: "charts", title: "Charts", load: () => import("../charts/panel") },
   { id: "fit", title: "Fit", load: () => import("../fit/panel") },
   { id: "diagnostics", title: "Diagnostics", badge: diagnosticsBadge, load: () => import("../diagnostics/panel") },
+  { id: "audit", title: "Audit", load: () => import("../audit/panel") },
   { id: "comparison", title: "Comparison", load: () => import("../comparison/panel") },
   { id: "files", title: "Files", load: () => import("../files/panel") },
   { id: SHARED_PANEL, title: "Shared", offered: isLinkOpen, badge: sharedBadge, load: () => import("../sharing/panel") },

@@ -28,6 +28,9 @@ export type Projection = "perspective" | "orthographic";
 export const STANDPOINTS = ["front", "back", "left", "right", "top", "bottom", "isometric"] as const;
 export type Standpoint = (typeof STANDPOINTS)[number];
 
+/** Angle between the lines of sight to the upper and lower border of a perspective view, in radians; the renderer's. */
+export const FIELD_OF_VIEW = 0.52;
+
 /** A camera as plain numbers, for links. Positions are relative to the cloud's centre. */
 export interface CameraState {
   /** The point in the middle of the view. */

@@ -2,7 +2,8 @@
 
 import { computed, signal } from "@preact/signals";
 import type { FormComparison, Forms, SurfaceSliders, SurfaceType } from "../../../generated/engine/engine.js";
-import { latest, type Session } from "../session";
+import { latest } from "../../engine/latest";
+import type { Session } from "../session";
 
 export const FAMILIES: readonly SurfaceType[] = ["Plane", "Cylinder", "Cone", "Sphere", "Torus"];
 

@@ -4,7 +4,8 @@
 import { batch, signal } from "@preact/signals";
 import type { PartitionInfo, SlippageInfo, SplitInfo } from "../../../generated/engine/engine.js";
 import type { LessonModel, LessonSegmentation } from "../../../worker/lessons";
-import { latest, type Session } from "../session";
+import { latest } from "../../engine/latest";
+import type { Session } from "../session";
 
 const PART = "bracket";
 /** Fine enough for its plates to have faces between their edges. */

@@ -3,7 +3,8 @@
 import { batch, computed, signal } from "@preact/signals";
 import type { LessonModel } from "../../../worker/lessons";
 import type { PaintedScore } from "../../../generated/engine/engine.js";
-import { latest, type Session } from "../session";
+import { latest } from "../../engine/latest";
+import type { Session } from "../session";
 import { listsOf, neighboursOf, paintingOf, type Painting, type Prediction } from "./selection";
 
 export const part = signal<LessonModel | undefined>(undefined);

@@ -1,12 +1,12 @@
-// A live view for lessons: points by label, in the page's theme.
+// A view that stands by itself: points by label, in the page's theme.
 
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { isDark } from "../state/settings";
 import { effect } from "@preact/signals";
-import type { PointView } from "../view/point-view";
-import type { Layout } from "../view/types";
-import { ViewCanvas } from "../view/view-canvas";
+import type { PointView } from "./point-view";
+import type { Layout } from "./types";
+import { ViewCanvas } from "./view-canvas";
 
 interface Props {
   /** What the view shows, for those who cannot see it. */
@@ -36,13 +36,9 @@ export function LiveView({ label, layout, onView, children }: Props): JSX.Elemen
           onUnavailable={({ message }) => setFailure(message)}
         />
       ) : (
-        <p class="empty">{message(failure)}</p>
+        <p class="empty">{failure} What stands beside it works all the same.</p>
       )}
       {children}
     </div>
   );
-}
-
-function message(failure: string): string {
-  return `${failure} The figures beside it work all the same.`;
 }

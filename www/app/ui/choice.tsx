@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { useId } from "preact/hooks";
-import { Swatch } from "../ui/swatch";
+import { Swatch } from "./swatch";
 
 interface ChoiceProps<T extends string> {
   readonly label: string;

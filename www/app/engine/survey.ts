@@ -1,0 +1,80 @@
+// One question about every model: spread over the pool, with progress, stoppable, and asked once
+// of the same content.
+
+import type * as Comlink from "comlink";
+import { batch, computed, signal, type ReadonlySignal } from "@preact/signals";
+import type { EngineWorker, ModelSource } from "../../worker/protocol";
+import { engine } from "./client";
+
+export type Outcome<Answer> =
+  | { readonly kind: "answered"; readonly answer: Answer }
+  | { readonly kind: "failed"; readonly message: string };
+
+export interface Survey<Answer> {
+  /** By the key of the content. */
+  readonly outcomes: ReadonlySignal<ReadonlyMap<string, Outcome<Answer>>>;
+  /** What is under way, if anything is. */
+  readonly progress: ReadonlySignal<{ readonly done: number; readonly total: number } | undefined>;
+  /** Asks about those not asked about yet. */
+  readonly ask: (sources: readonly ModelSource[]) => void;
+  /** Gives up what is under way; answers stay. */
+  readonly stop: () => void;
+}
+
+/** Many answers may come in a burst: they are shown together. */
+const FRAME_MS = 16;
+
+export function survey<Answer>(
+  question: (api: Comlink.Remote<EngineWorker>, source: ModelSource) => Promise<Answer>,
+): Survey<Answer> {
+  const outcomes = signal<ReadonlyMap<string, Outcome<Answer>>>(new Map());
+  const asked = signal(0);
+  const done = signal(0);
+  const underWay = new Set<string>();
+  let controller = new AbortController();
+  let arrived: [string, Outcome<Answer> | undefined][] = [];
+
+  const settle = (key: string, outcome: Outcome<Answer> | undefined) => {
+    if (arrived.length === 0) setTimeout(show, FRAME_MS);
+    arrived.push([key, outcome]);
+  };
+
+  const show = () =>
+    batch(() => {
+      const all = new Map(outcomes.value);
+      for (const [key, outcome] of arrived) {
+        underWay.delete(key);
+        if (outcome) all.set(key, outcome);
+      }
+      outcomes.value = all;
+      done.value += arrived.length;
+      arrived = [];
+      if (done.value >= asked.value) asked.value = done.value = 0;
+    });
+
+  const askOf = async (source: ModelSource, signal: AbortSignal) => {
+    underWay.add(source.key);
+    try {
+      const answer = await engine.run((api) => question(api, source), { signal, urgency: "background" });
+      settle(source.key, { kind: "answered", answer });
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      settle(source.key, signal.aborted ? undefined : { kind: "failed", message });
+    }
+  };
+
+  return {
+    outcomes,
+    progress: computed(() => (asked.value > 0 ? { done: done.value, total: asked.value } : undefined)),
+    ask(sources) {
+      const fresh = sources.filter(({ key }) => !underWay.has(key) && !outcomes.peek().has(key));
+      if (fresh.length === 0) return;
+      asked.value += fresh.length;
+      for (const source of fresh) void askOf(source, controller.signal);
+    },
+    stop() {
+      controller.abort(new DOMException("Stopped by the reader.", "AbortError"));
+      controller = new AbortController();
+    },
+  };
+}

@@ -1,0 +1,94 @@
+// A case: a part or a model, how it is sampled, and what is cut out of it. Plain data, so that it
+// can be undone, kept and sent.
+
+import type { ModelSource } from "../../worker/protocol";
+
+export type Vector = readonly [number, number, number];
+
+/** A shape in its place; see the engine's `Block`. */
+export interface Block {
+  readonly operation: "add" | "cut";
+  readonly shape: string;
+  readonly sizes: readonly number[];
+  readonly position: Vector;
+  /** Degrees about x, then y, then z. */
+  readonly rotation: Vector;
+}
+
+/** What the points are taken from. */
+export type Base =
+  | { readonly kind: "blocks"; readonly blocks: readonly Block[] }
+  | { readonly kind: "sample"; readonly part: string }
+  /** Files of the reader's: points and truth as they are. */
+  | { readonly kind: "files"; readonly source: ModelSource };
+
+/** Lengths are shares of the diagonal. */
+export interface Sampling {
+  /** Distance of neighbours; without meaning where the points are given. */
+  readonly spacing: number;
+  readonly noise: number;
+  readonly outliers: number;
+  readonly seed: number;
+}
+
+export interface Ball {
+  readonly kind: "ball";
+  readonly centre: Vector;
+  readonly radius: number;
+}
+
+/** A polygon in the plane through a camera's target, swept along its lines of sight. */
+export interface Lasso {
+  readonly kind: "lasso";
+  readonly target: Vector;
+  /** Unit quaternion x y z w. */
+  readonly rotation: readonly [number, number, number, number];
+  /** Distance of the eye from the target; infinite where lines of sight are parallel. */
+  readonly eye: number;
+  /** How far beyond the target it reaches; may be infinite. */
+  readonly depth: number;
+  readonly corners: readonly (readonly [number, number])[];
+}
+
+export type Cut = Ball | Lasso;
+
+export interface Case {
+  readonly name: string;
+  readonly base: Base;
+  readonly sampling: Sampling;
+  /** In the order in which they were made. They take points of the finished cloud, outliers too. */
+  readonly cuts: readonly Cut[];
+}
+
+export const MAX_BLOCKS = 64;
+
+/** The median of the benchmark's clouds, as for all samples. */
+export const SAMPLING: Sampling = { spacing: 0.0077, noise: 0, outliers: 0, seed: 1 };
+
+const block = (operation: Block["operation"], shape: string, sizes: readonly number[], position: Vector): Block => ({
+  operation,
+  shape,
+  sizes,
+  position,
+  rotation: [0, 0, 0],
+});
+
+/** Something to begin with: a rounded plate with a boss and a bore. */
+export const FIRST: Case = {
+  name: "case",
+  base: {
+    kind: "blocks",
+    blocks: [
+      block("add", "rounded", [80, 50, 12, 10], [0, 0, 6]),
+      block("add", "cone", [18, 13, 26], [0, 0, 25]),
+      block("cut", "cylinder", [7, 60], [0, 0, 20]),
+    ],
+  },
+  sampling: { ...SAMPLING, spacing: 0.012 },
+  cuts: [],
+};
+
+/** Whether the case can be made again from what a link can hold. */
+export function isGenerated({ base }: Case): boolean {
+  return base.kind !== "files";
+}
