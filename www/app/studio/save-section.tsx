@@ -78,7 +78,7 @@ async function save(): Promise<void> {
 
 async function handOver(): Promise<void> {
   const name = freeName(safe(current.value.name));
-  addMade(name, { kind: "files" }, await filesOf(name));
+  addMade(name, { kind: "files" }, await filesOf(name), "shown");
   goTo(HOME);
   goToPanel("fit");
   notify(`${name} is on the page: fit it with either method, or drop results for it.`);
