@@ -1,13 +1,9 @@
 // What a visitor waits for: what crosses the wire, and when the page answers.
 
-import { spawn } from "node:child_process";
-import { createServer } from "node:net";
 import { brotliCompressSync } from "node:zlib";
-import { chromium } from "@playwright/test";
 import { buildPage } from "../build.mjs";
 import { median } from "../lib/bench.mjs";
-import { BROWSER_FLAGS, ensureBrowser, findBrowser } from "../lib/browser.mjs";
-import { ROOT, npmCommand } from "../lib/paths.mjs";
+import { withServedPage } from "../lib/served.mjs";
 
 export const name = "start";
 export const about = "a first visit on this machine, the processor slowed down four times";
@@ -35,29 +31,16 @@ function watch() {
 
 export async function measure(bench, { quick }) {
   await buildPage();
-  await ensureBrowser();
-  const port = await freePort();
-  const server = spawn(
-    process.execPath,
-    [npmCommand("vite/bin/vite.js"), "preview", "--host", "127.0.0.1", "--port", String(port), "--strictPort"],
-    { cwd: ROOT, stdio: "ignore" },
-  );
-  const browser = await chromium.launch({ executablePath: findBrowser(), args: BROWSER_FLAGS });
-  try {
+  await withServedPage(async ({ address, browser }) => {
     const visits = [];
-    for (let visit = 0; visit < (quick ? 2 : 6); visit += 1) {
-      visits.push(await firstVisit(browser, `http://127.0.0.1:${port}/`));
-    }
+    for (let visit = 0; visit < (quick ? 2 : 6); visit += 1) visits.push(await firstVisit(browser, address));
     // The first one warms the browser up.
     const [{ bytes }, ...warm] = visits;
     const of = (moment) => median(warm.map((moments) => moments[moment])) / 1000;
     bench.figure("over the wire until scored, brotli", bytes / 1000, "kB", { most: 500, digits: 1 });
     bench.figure("until the page can be used", of("usable"), "s", { most: 1.5 });
     bench.figure("until the sample is scored and drawn, in software", of("scored"), "s");
-  } finally {
-    await browser.close();
-    server.kill();
-  }
+  });
 }
 
 async function firstVisit(browser, address) {
@@ -70,7 +53,7 @@ async function firstVisit(browser, address) {
     await page.addInitScript(watch);
     const responses = [];
     page.on("response", (response) => responses.push(response));
-    await reach(page, address);
+    await page.goto(address);
     await page.waitForFunction(() => window.moments.scored);
     const bodies = await Promise.all(responses.map((response) => response.body()));
     const bytes = bodies.reduce((sum, body) => sum + brotliCompressSync(body).length, 0);
@@ -78,25 +61,4 @@ async function firstVisit(browser, address) {
   } finally {
     await context.close();
   }
-}
-
-async function reach(page, address) {
-  for (let attempt = 0; ; attempt += 1) {
-    try {
-      await page.goto(address);
-      return;
-    } catch (error) {
-      if (attempt === 50) throw error;
-      await page.waitForTimeout(200);
-    }
-  }
-}
-
-function freePort() {
-  return new Promise((resolve) => {
-    const probe = createServer().listen(0, "127.0.0.1", () => {
-      const { port } = probe.address();
-      probe.close(() => resolve(port));
-    });
-  });
 }

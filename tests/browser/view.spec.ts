@@ -245,9 +245,19 @@ test("a camera written down and set again shows the same", async ({ stage }) => 
   expect(await stage.evaluate((state) => window.harness.view.setCamera(state), nonsense)).toBe(false);
 });
 
-test("nothing is drawn while nothing changes", async ({ stage }) => {
+test("nothing is drawn while nothing changes, and nothing sent anew while the cloud turns", async ({ stage }) => {
   const draws = await stage.evaluate(async () => {
     let draws = 0;
+    let sent = 0;
+    for (const name of ["bufferData", "bufferSubData", "texImage2D", "texSubImage2D"] as const) {
+      const send = WebGL2RenderingContext.prototype[name] as (...details: unknown[]) => void;
+      Object.assign(WebGL2RenderingContext.prototype, {
+        [name](this: WebGL2RenderingContext, ...details: unknown[]) {
+          for (const detail of details) if (ArrayBuffer.isView(detail)) sent += detail.byteLength;
+          send.apply(this, details);
+        },
+      });
+    }
     const draw = WebGL2RenderingContext.prototype.drawArrays;
     WebGL2RenderingContext.prototype.drawArrays = function (...details) {
       draws++;
@@ -255,12 +265,22 @@ test("nothing is drawn while nothing changes", async ({ stage }) => {
     };
     await window.harness.rest();
     const idle = draws;
-    window.harness.view.turn(0.1, 0);
+    for (let step = 0; step < 5; step++) {
+      window.harness.view.turn(0.1, 0);
+      await new Promise((drawn) => requestAnimationFrame(drawn));
+    }
     await window.harness.rest();
-    return { idle, changed: draws };
+    const turning = sent;
+    window.harness.view.setPatches([]);
+    window.harness.view.setLabels(0, window.harness.block(60).labels);
+    await window.harness.rest();
+    return { idle, changed: draws, turning, labels: sent };
   });
   expect(draws.idle).toBe(0);
   expect(draws.changed).toBeGreaterThan(0);
+  // Whatever the number of points: a frame costs the processor the same.
+  expect(draws.turning).toBeLessThan(5 * 1000);
+  expect(draws.labels).toBeGreaterThan(10_000);
 });
 
 test("eye-dome lighting shades edges and leaves colours alone when off", async ({ stage }) => {

@@ -1,0 +1,76 @@
+// Turning a million points: what the processor does for a frame. The graphics card's share is left
+// out, since most machines that run this have none.
+
+import { buildPage } from "../build.mjs";
+import { median } from "../lib/bench.mjs";
+import { withServedPage } from "../lib/served.mjs";
+
+export const name = "orbit";
+export const about = "a generated part of a million points, turned with the mouse";
+
+const PART = "Plate";
+const SPACING = "0.001";
+const STEPS = 120;
+
+/** Takes the time of every frame; once told to, keeps what is drawn from the software renderer. */
+function watch() {
+  const frames = [];
+  const measured = { frames, idle: false, uploaded: 0 };
+  window.measured = measured;
+  const context = WebGL2RenderingContext.prototype;
+  for (const name of ["drawArrays", "drawElements", "drawArraysInstanced"]) {
+    const draw = context[name];
+    context[name] = function (...details) {
+      if (!measured.idle) draw.apply(this, details);
+    };
+  }
+  for (const name of ["bufferData", "bufferSubData", "texImage2D", "texSubImage2D"]) {
+    const upload = context[name];
+    context[name] = function (...details) {
+      for (const detail of details) measured.uploaded += detail?.byteLength ?? 0;
+      return upload.apply(this, details);
+    };
+  }
+  const request = window.requestAnimationFrame;
+  window.requestAnimationFrame = (step) =>
+    request.call(window, (now) => {
+      const start = performance.now();
+      step(now);
+      frames.push(performance.now() - start);
+    });
+}
+
+export async function measure(bench) {
+  await buildPage();
+  await withServedPage(async ({ address, browser }) => {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+    await page.addInitScript(watch);
+    await page.goto(address);
+    await page.getByRole("banner").getByRole("button", { name: "Add data" }).click();
+    await page.getByLabel("Spacing").fill(SPACING);
+    const asked = performance.now();
+    await page.getByRole("button", { name: new RegExp(`^${PART}`) }).click();
+    const points = page.locator(".stage-title p", { hasText: /\d,\d{3},\d{3} points/ });
+    await points.waitFor({ timeout: 120_000 });
+    await page.locator(".canvas-state").waitFor({ state: "detached", timeout: 120_000 });
+    bench.note(await points.textContent());
+    bench.figure("made, scored and opened", (performance.now() - asked) / 1000, "s");
+
+    await page.evaluate(() => (window.measured.idle = true));
+    const { x, y } = await page.locator(".canvas-box canvas").boundingBox();
+    await page.mouse.move(x + 200, y + 100);
+    await page.mouse.down();
+    await page.mouse.move(x + 201, y + 100);
+    await page.evaluate(() => {
+      window.measured.frames.length = 0;
+      window.measured.uploaded = 0;
+    });
+    for (let step = 0; step < STEPS; step += 1) await page.mouse.move(x + 200 + step, y + 100 + (step % 20));
+    await page.mouse.up();
+    const { frames, uploaded } = await page.evaluate(() => window.measured);
+    const sorted = [...frames].sort((a, b) => a - b);
+    bench.figure("a frame, median", median(frames), "ms", { most: 4 });
+    bench.figure("a frame, the slowest of twenty", sorted[Math.floor(0.95 * sorted.length)], "ms");
+    bench.figure("sent to the graphics card for them all", uploaded / 1000, "kB", { digits: 1 });
+  });
+}
