@@ -8,6 +8,8 @@ const port = Number(process.env.FIT4CAD_PORT);
 export default defineConfig({
   testDir: "tests/browser",
   outputDir: "tests/results",
+  // An index of the pictures that the tests take.
+  globalTeardown: "./tests/browser/support/gallery.ts",
   fullyParallel: true,
   // The tests share the processor with a software renderer.
   workers: 1,

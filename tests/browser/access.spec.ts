@@ -15,17 +15,36 @@ for (const scheme of ["light", "dark"] as const) {
     for (const tab of await page.getByRole("tab").all()) {
       await tab.click();
       await expect(page.locator(".panel")).not.toContainText("Loading");
-      await expectNoFindings(page, `panel ${await tab.textContent()}`);
+      const name = (await tab.textContent()) ?? "";
+      await expectNoFindings(page, `panel ${name}`);
+      await picture(page, `panel-${name}-${scheme}`);
     }
     for (const sheet of ["Add data", "What the protocols are", "Keyboard and help"]) {
       await page.getByRole("button", { name: sheet }).click();
       await expect(page.getByRole("dialog")).toBeVisible();
       await expectNoFindings(page, sheet);
-      await picture(page, `sheet ${sheet} ${scheme}`);
+      await picture(page, `sheet-${sheet.replaceAll(" ", "-")}-${scheme}`);
       await page.keyboard.press("Escape");
     }
   });
 }
+
+test("every panel fits a phone and a wall", async ({ page }) => {
+  await open(page);
+  for (const [width, height, colorScheme] of [[360, 740, "dark"], [1920, 1080, "light"]] as const) {
+    await page.emulateMedia({ colorScheme });
+    await page.setViewportSize({ width, height });
+    for (const tab of await page.getByRole("tab").all()) {
+      await tab.click();
+      await expect(page.locator(".panel")).not.toContainText("Loading");
+      const name = (await tab.textContent()) ?? "";
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      expect(overflow, name).toBeLessThanOrEqual(0);
+      if (width === 360) await page.locator(".panel").evaluate((panel) => panel.scrollIntoView());
+      await picture(page, `panel-${name}-${width}`);
+    }
+  }
+});
 
 test("everything can be reached and used by keyboard", async ({ page }) => {
   await open(page);

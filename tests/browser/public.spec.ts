@@ -94,7 +94,7 @@ test("results that were never published are only noted", async ({ page, complain
   await expect(sheet.locator(".outcome li")).toHaveText(/pointCloud_primitives_PG\/PC3_primitives\.txt/);
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
-  await picture(page, "public models");
+  await picture(page, "sheet-public-models");
   forgive(complaints, /404/);
 });
 
