@@ -124,7 +124,7 @@ test("a saved chart is a drawing of its own, with title, description and no styl
     return readFile(await file.path(), "utf8");
   };
   for (const name of ["MFE", "dHaus", "d1", "types", "confusion", "size", "distances"]) {
-    expect(await save(name)).toMatch(/^<svg .*<title>.+<\/title><desc>.+<\/desc>/s);
+    expect(await save(name)).toMatch(/^<svg .*<title>.+<\/title><desc>.+<\/desc><metadata>\{"engine":".+","protocol":"definition","files":\[\{"path":.+"sha256":"[0-9a-f]{64}"\}\]\}<\/metadata>/s);
   }
   const text = await save("classification");
   const drawing = await page.evaluate((source) => {

@@ -79,9 +79,15 @@ test("the command of a sample makes and scores the same sample", async ({ page, 
   await page.getByLabel("Noise").fill("0.001");
   await page.getByRole("button", { name: /^Flange/ }).click();
   await expect(row(page, "flange")).toBeVisible();
+  await page.getByRole("tab", { name: "Fit", exact: true }).click();
+  await page.getByRole("radio", { name: "PG" }).check({ force: true });
+  await page.getByLabel("Smallest", { exact: true }).fill("12");
+  await page.getByRole("button", { name: "Fit flange", exact: true }).click();
+  await expect(page.locator("table.fits tbody")).toContainText(/\d\.\d{4}/, { timeout: 45_000 });
   await page.getByRole("button", { name: "Share", exact: true }).click();
   const line = (await page.getByTestId("command").textContent()) ?? "";
   expect(line).toContain("fit4cad generate flange --seed 7 --noise 0.001 --imperfect --out flange && ");
+  expect(line).toContain(" && fit4cad fit flange --method pg --smallest 12 --seed 1 --out fits && fit4cad score bracket flange fits");
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   await page.getByRole("button", { name: "Copy as command" }).click();
   await expect.poll(copied).toBe(line);

@@ -14,13 +14,17 @@ interface Saved {
   readonly coloursBelow: number;
   /** Share of pixels that are coloured, not grey. */
   readonly coloured: number;
+  /** What is written in the file. */
+  readonly about: string;
 }
 
 async function save(page: Page): Promise<Saved> {
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save PNG" }).click();
   const file = await waiting;
-  const png = (await readFile(await file.path())).toString("base64");
+  const bytes = await readFile(await file.path());
+  const png = bytes.toString("base64");
+  const about = /iTXtfit4cad\0{5}(\{.+?\]\})/s.exec(bytes.toString("latin1"))?.[1] ?? "";
   const seen = await page.evaluate(async (png) => {
     const bytes = Uint8Array.from(atob(png), (character) => character.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
@@ -44,7 +48,7 @@ async function save(page: Page): Promise<Saved> {
     };
   }, png);
   await expect(page.getByRole("dialog", { name: "Save a picture" })).toBeHidden();
-  return { name: file.suggestedFilename(), ...seen };
+  return { name: file.suggestedFilename(), about, ...seen };
 }
 
 test("a picture is saved in the size and on the ground asked for, with a legend or without", async ({ page }) => {
@@ -64,6 +68,7 @@ test("a picture is saved in the size and on the ground asked for, with a legend 
   const white = await save(page);
   expect(white).toMatchObject({ name: "bracket-segments.png", size: [600, 400], corner: [255, 255, 255, 255] });
   expect(white.coloured).toBeGreaterThan(0.005);
+  expect(JSON.parse(white.about)).toMatchObject({ protocol: "definition", files: expect.arrayContaining([expect.objectContaining({ path: "pointCloud/bracket.txt" })]) });
   // A swatch for each primitive, however the part lies.
   expect(white.coloursBelow).toBeGreaterThan(8);
 

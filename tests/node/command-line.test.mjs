@@ -6,7 +6,7 @@ import { fit4cad, folder, submitted } from "./support.mjs";
 
 const { commandLine } = await pageModule("export/command.ts");
 
-const onScreen = (change) => ({ paths: [], samples: [], corrections: {}, protocol: "definition", ...change });
+const onScreen = (change) => ({ paths: [], samples: [], fits: [], corrections: {}, protocol: "definition", ...change });
 
 /** The arguments of each call of `fit4cad` in a line, as a POSIX shell understands it. */
 function understood(line) {
@@ -36,6 +36,19 @@ test("a sample is made first, with what was said about it and nothing else", () 
   assert.deepEqual(understood(commandLine(onScreen({ samples, paths: ["mine/PC1.txt"] }))), [
     ["generate", "flange", "--seed", "3", "--noise", "0.001", "--imperfect", "--out", "flange"],
     ["score", "flange", "mine"],
+  ]);
+});
+
+test("a fit is repeated with its settings on what it was made on, and scored with the rest", () => {
+  const samples = [{ part: "flange", options: {} }, { part: "gear", options: {} }];
+  const fits = [
+    { request: { method: "ht", parameters: {}, seed: 1 }, parts: ["gear"], brought: false },
+    { request: { method: "pg", parameters: { fuzzy_border: 0.2 }, seed: 9 }, parts: ["flange"], brought: true },
+  ];
+  assert.deepEqual(understood(commandLine(onScreen({ samples, fits, paths: ["my set/PC1.txt"] }))).slice(2), [
+    ["fit", "gear", "--method", "ht", "--seed", "1", "--out", "fits"],
+    ["fit", "flange", "my set", "--method", "pg", "--fuzzy-border", "0.2", "--seed", "9", "--out", "fits"],
+    ["score", "flange", "gear", "my set", "fits"],
   ]);
 });
 

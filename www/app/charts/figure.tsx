@@ -4,6 +4,7 @@ import type { ComponentChildren, JSX } from "preact";
 import { useSignal, type Signal } from "@preact/signals";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { download } from "../export/download";
+import { provenanceOf } from "../export/provenance";
 import { isDark } from "../state/settings";
 import { follow, frameOf, PRINT, type Frame } from "./plot";
 
@@ -70,7 +71,7 @@ export function Chart({ name, title, description, draw, logarithmic, table }: Pr
             Log axis
           </button>
         )}
-        <button type="button" aria-label={`Save ${title} as SVG`} onClick={() => save(name, title, description, draw(PRINT))}>
+        <button type="button" aria-label={`Save ${title} as SVG`} onClick={() => void save(name, title, description, draw(PRINT))}>
           Save SVG
         </button>
       </div>
@@ -91,17 +92,20 @@ export function Chart({ name, title, description, draw, logarithmic, table }: Pr
 
 const SVG = "http://www.w3.org/2000/svg";
 
-function save(name: string, title: string, description: string, svg: SVGSVGElement): void {
+async function save(name: string, title: string, description: string, svg: SVGSVGElement): Promise<void> {
   const ground = document.createElementNS(SVG, "rect");
   ground.setAttribute("width", "100%");
   ground.setAttribute("height", "100%");
   ground.setAttribute("fill", PRINT.surface);
-  svg.prepend(worded("title", title), worded("desc", description), ground);
+  // Without it a chart is still a chart.
+  const provenance = await provenanceOf().catch(() => undefined);
+  const about = provenance ? [worded("metadata", JSON.stringify(provenance))] : [];
+  svg.prepend(worded("title", title), worded("desc", description), ...about, ground);
   const text = new XMLSerializer().serializeToString(svg);
   download(`fit4cad-${name}.svg`, new Blob([text], { type: "image/svg+xml;charset=utf-8" }));
 }
 
-function worded(element: "title" | "desc", text: string): SVGElement {
+function worded(element: "title" | "desc" | "metadata", text: string): SVGElement {
   const made = document.createElementNS(SVG, element);
   made.textContent = text;
   return made;

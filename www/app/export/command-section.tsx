@@ -2,34 +2,62 @@
 
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
-import { brought, overrides } from "../state/inbox";
-import { scoredRows } from "../state/models";
+import type { FitRequest } from "../../worker/protocol";
+import { brought, fitOf, overrides } from "../state/inbox";
+import { scoredRows, type ModelEntry } from "../state/models";
 import { protocol } from "../state/settings";
-import { commandLine, type SampleOnScreen } from "./command";
+import { commandLine, type FitOnScreen, type SampleOnScreen } from "./command";
 import { copy } from "./download";
 
-/** The submission every sample comes with; what else there is was fitted here. */
-const IMPERFECT = "Imperfect";
-
 const entries = computed(() => [...new Set(scoredRows.value.map(({ entry }) => entry))]);
+
+interface Fitted {
+  readonly entry: ModelEntry;
+  readonly method: string;
+  readonly request: FitRequest;
+}
+
+const fitted = computed<readonly Fitted[]>(() =>
+  scoredRows.value.flatMap(({ entry, reports: { method } }) => {
+    const request = fitOf(entry.id, method);
+    return request ? [{ entry, method, request }] : [];
+  }),
+);
+
+/**
+ * The fits that a command repeats: it fits all that is in a folder, and names what it finds by the
+ * fitter alone.
+ */
+const repeatable = computed<readonly FitOnScreen[]>(() => {
+  if (Object.keys(overrides.value).length > 0) return [];
+  const isSample = ({ origin }: ModelEntry) => origin.kind === "sample";
+  const others = entries.value.filter((entry) => !isSample(entry)).length;
+  return (["ht", "pg"] as const).flatMap((fitter): FitOnScreen[] => {
+    const own = fitted.value.filter(({ request }) => request.method === fitter);
+    const [first] = own;
+    const alike = own.every(({ request, method }) => isSame(request, first?.request) && method === fitter.toUpperCase());
+    const brought = own.filter(({ entry }) => !isSample(entry)).length;
+    if (!first || !alike || (brought > 0 && brought < others)) return [];
+    const parts = own.flatMap(({ entry: { origin } }) => (origin.kind === "sample" ? [origin.part] : []));
+    return [{ request: first.request, parts, brought: brought > 0 }];
+  });
+});
+
+function isSame(a: FitRequest, b: FitRequest | undefined): boolean {
+  const names = new Set([...Object.keys(a.parameters), ...Object.keys(b?.parameters ?? {})]);
+  return a.seed === b?.seed && [...names].every((name) => a.parameters[name] === b.parameters[name]);
+}
 
 const line = computed(() => {
   const samples = entries.value.flatMap(({ origin }): SampleOnScreen[] =>
     origin.kind === "sample" ? [{ part: origin.part, options: origin.options }] : [],
   );
   const paths = [...brought.value.keys()];
-  return commandLine({ paths, samples, corrections: overrides.value, protocol: protocol.value });
+  return commandLine({ paths, samples, fits: repeatable.value, corrections: overrides.value, protocol: protocol.value });
 });
 
-/** Whether there are submissions that no file holds, which the line hence cannot name. */
-const hasFitted = computed(() =>
-  entries.value.some(({ origin, source }) =>
-    source.files.some(
-      ({ path, method }) =>
-        method !== undefined && !brought.value.has(path) && !(origin.kind === "sample" && method === IMPERFECT),
-    ),
-  ),
-);
+/** Whether there are submissions that the line cannot make again. */
+const isShort = computed(() => fitted.value.some(({ request }) => !repeatable.value.some((fit) => fit.request.method === request.method)));
 
 export function CommandSection(): JSX.Element | null {
   const text = line.value;
@@ -46,9 +74,9 @@ export function CommandSection(): JSX.Element | null {
           Copy as command
         </button>
       </div>
-      {hasFitted.value && (
+      {isShort.value && (
         <p class="hint">
-          Submissions made on this page are not in it: save them as a zip and add its name to the line.
+          Not every submission made on this page is in it: save the others as a zip and add its name to the line.
         </p>
       )}
     </section>

@@ -1,5 +1,6 @@
 // The command line that repeats what is on screen.
 
+import type { FitRequest } from "../../worker/protocol";
 import type { Override, Protocol, SampleOptions } from "../engine/contract";
 
 /** A sample on the page, with the imperfect submission it comes with. */
@@ -8,24 +9,44 @@ export interface SampleOnScreen {
   readonly options: SampleOptions;
 }
 
+/** A submission that was fitted here, alike for several models. */
+export interface FitOnScreen {
+  readonly request: FitRequest;
+  /** The samples that were fitted, by their parts. */
+  readonly parts: readonly string[];
+  /** Whether every model that was brought was fitted so. */
+  readonly brought: boolean;
+}
+
 export interface OnScreen {
   /** Paths of the files that were brought, as they were dropped. */
   readonly paths: readonly string[];
   readonly samples: readonly SampleOnScreen[];
+  readonly fits: readonly FitOnScreen[];
   /** What the reader corrected about files, by path. */
   readonly corrections: Readonly<Record<string, Override>>;
   readonly protocol: Protocol;
 }
 
 /** The line, to be run where the dropped files and folders are; undefined where there is nothing to repeat. */
-export function commandLine({ paths, samples, corrections, protocol }: OnScreen): string | undefined {
+export function commandLine({ paths, samples, fits, corrections, protocol }: OnScreen): string | undefined {
   const made = samples.map(({ part, options }) => [part, generate(part, options)] as const);
   const places = [...made.map(([folder]) => folder), ...roots(paths)];
   if (places.length === 0) return undefined;
   const choice = protocol === "definition" ? [] : ["--protocol", protocol];
   const corrected = paths.flatMap((file) => correction(file, corrections[file] ?? {}));
-  const score = ["fit4cad", "score", ...places.map(path), ...choice, ...corrected].join(" ");
-  return [...made.map(([, line]) => line), score].join(" && ");
+  const fitted = fits.map(({ request, parts, brought }) => fit(request, [...parts, ...(brought ? roots(paths) : [])]));
+  const all = [...places, ...(fits.length > 0 ? [FITS] : [])];
+  const score = ["fit4cad", "score", ...all.map(path), ...choice, ...corrected].join(" ");
+  return [...made.map(([, line]) => line), ...fitted, score].join(" && ");
+}
+
+/** The folder that fits are written to. */
+const FITS = "fits";
+
+function fit({ method, parameters, seed }: FitRequest, places: readonly string[]): string {
+  const given = Object.entries(parameters).flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, String(value)]);
+  return ["fit4cad", "fit", ...places.map(path), "--method", method, ...given, "--seed", String(seed), "--out", FITS].join(" ");
 }
 
 function generate(part: string, options: SampleOptions): string {

@@ -71,8 +71,8 @@ export const KEYS: readonly ShortcutGroup[] = [
   },
   {
     title: "Panels",
-    shortcuts: PANELS.slice(0, 9).map(({ id, title, offered }, i) => ({
-      key: String(i + 1),
+    shortcuts: PANELS.slice(0, 10).map(({ id, title, offered }, i) => ({
+      key: String((i + 1) % 10),
       what: offered ? `${title}, where a link is open` : title,
       run: () => {
         if (offered?.() ?? true) shownPanel.value = id;

@@ -4,6 +4,8 @@ import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { download } from "../export/download";
+import { withText } from "../export/png";
+import { provenanceOf } from "../export/provenance";
 import { safe } from "../export/submission";
 import { colourMode, sides } from "../stage/display";
 import { currentView } from "../stage/isolation";
@@ -47,7 +49,8 @@ export default function PictureSheet(): JSX.Element {
     if (!view) return;
     busy.value = true;
     try {
-      download(`${safe(subject.model)}-${subject.mode}.png`, await compose(view, subject, wish));
+      const [file, provenance] = await Promise.all([compose(view, subject, wish), provenanceOf([subject.model])]);
+      download(`${safe(subject.model)}-${subject.mode}.png`, await withText(file, "fit4cad", JSON.stringify(provenance)));
       picturing.value = false;
     } catch (error) {
       notify(`The picture could not be made: ${error instanceof Error ? error.message : String(error)}`, "error");
