@@ -56,7 +56,7 @@ const COLUMNS: readonly Column<FoundIn>[] = [
     label: "finding",
     cell: ({ message, hint }) => (
       <>
-        <Marked text={message} /> <span class="hint">{hint && <Marked text={hint} />}</span>
+        <Marked text={message} />. <span class="hint">{hint && <Marked text={`${hint}.`} />}</span>
       </>
     ),
   },

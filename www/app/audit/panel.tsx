@@ -38,17 +38,14 @@ export default function AuditPanel(): JSX.Element {
       <div class="panel-tools">
         <p role="status">{summary(found.value)}</p>
         <Running />
-        <label>
-          Show{" "}
-          <select value={wanted.value} onChange={(event) => (wanted.value = event.currentTarget.value as Severity | "all")}>
-            <option value="all">all findings</option>
-            {SEVERITIES.map((severity) => (
-              <option key={severity} value={severity}>
-                {severity}s
-              </option>
-            ))}
-          </select>
-        </label>
+        <select aria-label="Findings shown" value={wanted.value} onChange={(event) => (wanted.value = event.currentTarget.value as Severity | "all")}>
+          <option value="all">All findings</option>
+          {SEVERITIES.map((severity) => (
+            <option key={severity} value={severity}>
+              {severity}s only
+            </option>
+          ))}
+        </select>
         <button
           type="button"
           disabled={corrected.value.length === 0}

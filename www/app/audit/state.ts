@@ -3,23 +3,19 @@
 import { computed } from "@preact/signals";
 import type { Finding, PrimitiveAudit } from "../engine/contract";
 import { survey } from "../engine/survey";
-import { models, type ModelEntry } from "../state/models";
-import type { AuditedModel, ModelSource } from "../../worker/protocol";
+import { models } from "../state/models";
+import { truthOnly } from "../state/truth";
+import type { AuditedModel } from "../../worker/protocol";
 
 export const audits = survey<AuditedModel>((api, source) => api.audit(source));
 
-/** Submissions have no part in an audit. */
-function truthOf({ source }: ModelEntry): ModelSource {
-  return { ...source, key: `${source.key}\ntruth`, files: source.files.filter(({ method }) => method === undefined) };
-}
-
 export function auditAll(): void {
-  audits.ask(models.value.map(truthOf));
+  audits.ask(models.value.map(({ source }) => truthOnly(source)));
 }
 
 /** Every model, with its audit where there is one already. */
 export const audited = computed(() =>
-  models.value.map((entry) => ({ entry, outcome: audits.outcomes.value.get(truthOf(entry).key) })),
+  models.value.map((entry) => ({ entry, outcome: audits.outcomes.value.get(truthOnly(entry.source).key) })),
 );
 
 /** A finding, or that there could be no audit. */

@@ -25,6 +25,7 @@ export const PAGES: readonly PageDefinition[] = [
   { id: "lesson-growing", title: "Primitive growing", under: "lessons", load: () => import("../lessons/growing/page") },
   { id: "lesson-forms", title: "Implicit and parametric", under: "lessons", load: () => import("../lessons/forms/page") },
   { id: "studio", title: "Studio", load: () => import("../studio/page") },
+  { id: "statistics", title: "Statistics", showsModels: true, load: () => import("../statistics/page") },
 ];
 
 export const PANELS: readonly PanelDefinition[] = [

@@ -1,0 +1,83 @@
+// What a data set holds: types of surfaces, sizes, and what no primitive lists.
+
+import type { JSX } from "preact";
+import { useEffect } from "preact/hooks";
+import { models } from "../state/models";
+import * as format from "../ui/format";
+import { ModelsTable } from "./models-table";
+import { SpreadChart, type Figure } from "./spread-chart";
+import { counted, counts, follow, sums } from "./state";
+import { TypeBars } from "./type-bars";
+import "./statistics.css";
+
+const FIGURES: readonly Figure[] = [
+  {
+    id: "points-per-model",
+    title: "Points per model",
+    axis: "Points →",
+    of: ({ statistics }) => statistics.points,
+    spread: ({ pointsPerModel }) => pointsPerModel,
+    write: format.integer,
+    tick: "~s",
+  },
+  {
+    id: "primitives-per-model",
+    title: "Primitives per model",
+    axis: "Primitives →",
+    of: ({ statistics }) => (statistics.segmented === undefined ? undefined : statistics.primitives),
+    spread: ({ primitivesPerModel }) => primitivesPerModel,
+    write: format.integer,
+    tick: "d",
+  },
+  {
+    id: "unsegmented-per-model",
+    title: "Points that no primitive lists",
+    axis: "Share of the model's points →",
+    of: ({ statistics }) => statistics.unsegmented,
+    spread: ({ unsegmentedPerModel }) => unsegmentedPerModel,
+    write: format.share,
+    tick: "~%",
+  },
+];
+
+export default function Statistics(): JSX.Element {
+  useEffect(follow, []);
+  const progress = counts.progress.value;
+  const known = sums.value;
+  const several = (known?.sets.length ?? 0) > 1;
+  return (
+    <div class="statistics">
+      <header>
+        <h2>Dataset statistics</h2>
+        <p role="status">{known && summary()}</p>
+        {progress && <progress aria-label="Models counted" value={progress.done} max={progress.total} />}
+      </header>
+      {known && known.all.models > 0 ? (
+        <>
+          <div class="chart-grid">
+            {known.sets
+              .filter(({ statistics }) => statistics.primitives > 0)
+              .map((set) => (
+                <TypeBars key={set.name} set={set} only={!several} />
+              ))}
+            {FIGURES.map((figure) => (
+              <SpreadChart key={figure.id} figure={figure} models={counted.value} sets={known.sets} />
+            ))}
+          </div>
+          <div class="statistics-table" role="region" aria-label="Models" tabIndex={0}>
+            <ModelsTable models={counted.value} all={known.all} several={several} />
+          </div>
+        </>
+      ) : (
+        <p class="empty">{models.value.length > 0 ? "Counting…" : "Drop a set of models anywhere on the page to count what it holds."}</p>
+      )}
+    </div>
+  );
+}
+
+function summary(): string {
+  const all = sums.value?.all;
+  if (!all) return "";
+  const unsegmented = all.unsegmented === null ? "" : `, ${format.share(all.unsegmented)} of the points in no primitive`;
+  return `${format.plural(all.models, "model")}, ${format.plural(all.points, "point")}, ${format.plural(all.primitives, "true primitive")}${unsegmented}`;
+}
