@@ -74,8 +74,39 @@ pub fn label(search: &Search<'_>, candidates: &[Candidate]) -> Labels {
         .zip(on)
         .map(|(candidate, on)| claimed(search, candidate, &on, &lying))
         .collect();
-    Labels::new(count, points)
+    without_crossings(search, Labels::new(count, points))
 }
+
+/// Drops the labels of points where a surface, beyond the end of its face, cuts another: there all
+/// points on the one are on the other too. Such a row of points would join what are separate faces
+/// of the first.
+fn without_crossings(search: &Search<'_>, labels: Labels) -> Labels {
+    let has = |index: u32, surface: u32| labels.of(index).contains(&surface);
+    let mut found = Vec::with_capacity(2);
+    let mut crosses = |index: u32, surface: u32| {
+        labels.of(index).iter().any(|&other| {
+            let leaves = |i: u32| has(i, surface) && !has(i, other);
+            if other == surface || search.graph.of(index).iter().any(|&i| leaves(i)) {
+                return false;
+            }
+            let radius = BESIDE * search.scale.spacing;
+            let point = search.point(index);
+            search.tree.nearest(point, 1, radius, leaves, &mut found);
+            found.is_empty()
+        })
+    };
+    let kept = (0u32..)
+        .zip(&labels.points)
+        .map(|(surface, points)| {
+            let points = points.iter().copied();
+            points.filter(|&index| !crosses(index, surface)).collect()
+        })
+        .collect();
+    Labels::new(search.cloud.len(), kept)
+}
+
+/// How near the face beside an edge has a point off the other face, in spacings.
+const BESIDE: f64 = 4.0;
 
 /// The groups of points on a surface that it may claim.
 fn claimed(search: &Search<'_>, candidate: &Candidate, on: &[u32], lying: &[u32]) -> Vec<u32> {
