@@ -193,32 +193,40 @@ impl Face<'_> {
             [_] => return Role::Inner,
             _ => return Role::Corner,
         };
-        self.inward(index, other).map_or(Role::Inner, Role::Edge)
+        self.at_edge(index, other)
     }
 
-    /// The direction from a point on the edge to another surface into this face: in the surface,
-    /// across the edge, which runs along the cross product of the two normals or, where the surfaces
-    /// touch tangentially, along the points of the edge; interior neighbours tell which side. `None`
-    /// where every direction is as good.
-    fn inward(&self, index: u32, other: u32) -> Option<Vector> {
+    /// The role of a point on the edge to another surface. Into its face leads the direction in the
+    /// surface across the edge, which runs along the cross product of the two normals or, where the
+    /// surfaces touch tangentially, along the points of the edge; neighbours that are not on the other
+    /// surface tell which side. Where they tell of both sides or none, the edge is only a fence.
+    fn at_edge(&self, index: u32, other: u32) -> Role {
         let point = self.search.point(index);
         let normal_of = |surface: u32| self.candidates[surface as usize].surface.normal(point);
         let normal = normal_of(self.surface);
         let crossing = normal.cross(&normal_of(other));
         let edge = if crossing.norm() > CROSSING {
-            crossing
+            Some(crossing)
         } else {
-            self.run_of_edge(index)?
+            self.run_of_edge(index)
         };
-        let across = normal.cross(&edge).try_normalize(f64::MIN_POSITIVE)?;
+        let across = edge.and_then(|edge| normal.cross(&edge).try_normalize(f64::MIN_POSITIVE));
+        let Some(across) = across else {
+            return Role::Inner;
+        };
         let mut sides = 0.0;
         for &neighbour in self.search.graph.of(index) {
-            if self.place[neighbour as usize] != u32::MAX && self.labels.of(neighbour).len() == 1 {
+            let is_on = self.place[neighbour as usize] != u32::MAX;
+            if is_on && !self.labels.of(neighbour).contains(&other) {
                 let step = self.search.point(neighbour) - point;
                 sides += step.dot(&across).signum();
             }
         }
-        (sides != 0.0).then(|| across * f64::signum(sides))
+        if sides == 0.0 {
+            Role::Corner
+        } else {
+            Role::Edge(across * f64::signum(sides))
+        }
     }
 
     /// The direction in which a tangential edge runs, where the surfaces themselves do not tell:
