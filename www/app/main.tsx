@@ -1,6 +1,6 @@
 import { render } from "preact";
 import { listen } from "./keyboard/shortcuts";
-import { keepForOffline } from "./offline/register";
+import { keepForOfflineLater } from "./offline/register";
 import { KEYS } from "./keyboard/keys";
 import { heedAddress } from "./sharing/share";
 import { App } from "./shell/app";
@@ -28,4 +28,4 @@ if (root) {
   }
 }
 
-addEventListener("load", keepForOffline);
+addEventListener("load", keepForOfflineLater);

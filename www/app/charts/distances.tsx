@@ -35,7 +35,8 @@ interface Histogram {
   readonly halves: readonly Half[];
 }
 
-const logarithmic = signal(false);
+/** Most points lie close to their surface: on a linear axis they are all one bar. */
+const logarithmic = signal(true);
 
 const histogram = computed<Histogram | undefined>(() => {
   const state = scene.value;

@@ -2,11 +2,18 @@
 
 import { notify } from "../state/notices";
 
+/** On a slow line, what the reader waits for comes before what is kept for later. */
+const LATER_MS = 3000;
+
+export function keepForOfflineLater(): void {
+  setTimeout(keepForOffline, LATER_MS);
+}
+
 /**
  * Registers the service worker of a built page. A new version waits until every tab of the old one
  * is closed, so that nothing on screen changes under a reader's hands.
  */
-export function keepForOffline(): void {
+function keepForOffline(): void {
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
   navigator.serviceWorker.register("./sw.js").then(announceUpdates, () => {
     // Private windows and plain http hosts refuse; the page works all the same, with a network.

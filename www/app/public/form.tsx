@@ -48,7 +48,7 @@ export function PublicForm({ onTaken }: { onTaken: () => void }): JSX.Element {
             </label>
           ))}
         </fieldset>
-        <label class="numbers">
+        <label class="which-numbers">
           Models
           <input
             type="text"

@@ -41,7 +41,7 @@ function RestButton({ results }: { results: SharedResults }): JSX.Element | null
   const places = results.models.flatMap((model, place) => {
     const absent = entryOf(model) === undefined;
     const unfitted = judged.value.some(({ claim, verdict }) => claim.model === place && claim.fitted && verdict.kind === "claimed");
-    return isRebuildable(model) && (absent || unfitted) ? [place] : [];
+    return absent ? (isRebuildable(model) ? [place] : []) : unfitted ? [place] : [];
   });
   if (places.length === 0 || rebuilding.value) return null;
   const { samples, downloads, fits } = workOf(results, places);

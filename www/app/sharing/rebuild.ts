@@ -41,27 +41,36 @@ export interface Work {
 }
 
 export function workOf({ models: shared, claims }: SharedResults, places: readonly number[]): Work {
-  const of = (kind: SharedOrigin["kind"]) => places.filter((place) => shared[place]?.origin.kind === kind).length;
+  const absent = absentAmong(shared, places);
+  const of = (kind: SharedOrigin["kind"]) => absent.filter((place) => shared[place]?.origin.kind === kind).length;
   const fits = claims.filter(({ model, fitted }) => fitted && places.includes(model)).length;
   return { samples: of("sample"), downloads: of("public"), fits };
+}
+
+function absentAmong(shared: readonly SharedModel[], places: readonly number[]): number[] {
+  return places.filter((place) => {
+    const model = shared[place];
+    return model !== undefined && entryOf(model) === undefined;
+  });
 }
 
 /** Whether models are being had again just now. */
 export const rebuilding = signal(false);
 
 /**
- * Has the models at these places again, and then their fits. What fails is told by its own part of
+ * Has the models at these places again that are not here, and then their fits. What fails is told by its own part of
  * the page. Samples made quietly do not come into view.
  */
 export async function rebuild(results: SharedResults, places: readonly number[], how: "shown" | "quiet" = "shown"): Promise<void> {
   if (places.length === 0) return;
   rebuilding.value = true;
   try {
-    const wanted = places.flatMap((place) => results.models[place] ?? []);
-    for (const { origin } of wanted) {
-      if (origin.kind === "sample") await makeSample(origin.part, origin.options, how);
+    const absent = absentAmong(results.models, places);
+    for (const place of absent) {
+      const origin = results.models[place]?.origin;
+      if (origin?.kind === "sample") await makeSample(origin.part, origin.options, how);
     }
-    await fetchAgain(results, places);
+    await fetchAgain(results, absent);
     await fitAgain(results.models, results.claims.filter(({ model }) => places.includes(model)));
   } finally {
     rebuilding.value = false;

@@ -71,6 +71,8 @@ export function selectModel(id: string | undefined, method?: string): void {
       selectedPrimitive.value = undefined;
       hoveredPrimitive.value = undefined;
     }
+    // Whoever chooses a submission wants to see it.
+    if (method !== undefined && method !== selectedMethod.value) rightIsTruth.value = false;
     selectedModel.value = id;
     if (method !== undefined) chosenMethod.value = method;
   });
