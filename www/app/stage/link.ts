@@ -8,6 +8,7 @@ import { isDark } from "../state/settings";
 import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
 import { labelling, partnersOf, segmentationOf, table, type Labelling, type Shown } from "./colouring";
+import { isSameCloud } from "./cloud";
 import { hidden, isolated } from "./isolation";
 import { linkSurfaces } from "./surfaces";
 import { awaitedCamera, restingCamera } from "./camera";
@@ -39,7 +40,7 @@ export function link(view: PointView): () => void {
       if (state.scene.positions !== cloud) {
         const before = cloud;
         cloud = state.scene.positions;
-        if (!before || !sameNumbers(before, cloud)) view.setCloud(cloud);
+        if (!before || !isSameCloud(before, cloud)) view.setCloud(cloud);
       }
       const awaited = awaitedCamera.value;
       if (awaited && modelById(awaited.model)?.source.key === state.scene.key) {
@@ -106,8 +107,4 @@ function states(side: SideName, shown: Shown): LabelState[] {
   raise(hovered, LabelState.Highlighted);
   for (const ref of hidden.value) raise(ref, LabelState.Hidden);
   return all;
-}
-
-function sameNumbers(a: Float32Array, b: Float32Array): boolean {
-  return a.length === b.length && a.every((value, at) => Object.is(value, b[at]));
 }

@@ -10,6 +10,7 @@ import { scene } from "../state/scene";
 import { selectedModel, selectedPrimitive } from "../state/selection";
 import type { PointView } from "../view/point-view";
 import type { Side, SurfacePatch } from "../view/types";
+import { isSameCloud } from "./cloud";
 import { partnersOf, segmentationOf, segmentColours } from "./colouring";
 import { sides, surfacesShown } from "./display";
 import { reports } from "./reports";
@@ -24,11 +25,13 @@ export function linkSurfaces(view: PointView): () => void {
       const source = modelById(selectedModel.value)?.source;
       if (state.kind !== "ready" || source?.key !== state.scene.key || state.scene.positions === positions) return;
       const cloud = state.scene.positions;
+      const before = positions;
       positions = cloud;
+      if (before && isSameCloud(before, cloud)) return;
       engine
         .run((api) => api.normals(source))
         // Without normals the points are drawn all the same.
-        .then((normals) => positions === cloud && view.setNormals(normals), () => undefined);
+        .then((normals) => positions && isSameCloud(positions, cloud) && view.setNormals(normals), () => undefined);
     }),
     effect(() => {
       const wanted = wantedPatches();
