@@ -3,7 +3,6 @@
 
 use super::super::Candidate;
 use super::super::search::Search;
-use super::membership;
 
 /// Which points lie on which surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,10 +68,11 @@ pub fn label(search: &Search<'_>, candidates: &[Candidate]) -> Labels {
     for &index in on.iter().flatten() {
         lying[index as usize] += 1;
     }
+    let mut open = vec![false; count];
     let points = candidates
         .iter()
         .zip(on)
-        .map(|(candidate, on)| claimed(search, candidate, &on, &lying))
+        .map(|(candidate, on)| claimed(search, candidate, &on, &lying, &mut open))
         .collect();
     without_crossings(search, Labels::new(count, points))
 }
@@ -108,11 +108,14 @@ fn without_crossings(search: &Search<'_>, labels: Labels) -> Labels {
 /// How near the face beside an edge has a point off the other face, in spacings.
 const BESIDE: f64 = 4.0;
 
-/// The groups of points on a surface that it may claim.
-fn claimed(search: &Search<'_>, candidate: &Candidate, on: &[u32], lying: &[u32]) -> Vec<u32> {
-    let mut supported = membership(search.cloud.len(), candidate);
-    supported.resize(search.cloud.len(), false);
-    let mut open = vec![false; search.cloud.len()];
+/// The groups of points on a surface that it may claim. `open` is false all over, before and after.
+fn claimed(
+    search: &Search<'_>,
+    candidate: &Candidate,
+    on: &[u32],
+    lying: &[u32],
+    open: &mut [bool],
+) -> Vec<u32> {
     for &index in on {
         open[index as usize] = true;
     }
@@ -129,7 +132,7 @@ fn claimed(search: &Search<'_>, candidate: &Candidate, on: &[u32], lying: &[u32]
         let (mut connected, mut own) = (false, 0);
         while next < group.len() {
             let index = group[next];
-            connected |= supported[index as usize];
+            connected = connected || candidate.support.binary_search(&index).is_ok();
             own += usize::from(lying[index as usize] == 1);
             for &neighbour in search.graph.of(index) {
                 if std::mem::take(&mut open[neighbour as usize]) {

@@ -9,9 +9,9 @@ pub use label::{Labels, label};
 pub use patches::patches;
 pub use prune::prune;
 
+use super::Parameters;
 use super::progress::{Cancelled, Observer, Stage};
 use super::search::Search;
-use super::{Candidate, Parameters};
 use crate::model::{Coefficients, Primitive, Segmentation};
 
 /// Runs the three stages on what a search accepted.
@@ -53,11 +53,5 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
 /// Points that a patch of a noisy cloud needs.
 const SPLINTER: usize = 20;
 
-/// Membership of a candidate's points, as a lookup over the cloud.
-fn membership(count: usize, candidate: &Candidate) -> Vec<bool> {
-    let mut member = vec![false; count];
-    for &index in &candidate.support {
-        member[index as usize] = true;
-    }
-    member
-}
+#[cfg(test)]
+mod tests;

@@ -214,14 +214,18 @@ impl Face<'_> {
         let Some(across) = across else {
             return Role::Inner;
         };
-        let mut sides = 0.0;
+        // The other bank of a narrow groove is off the other surface too, but an edge itself.
+        let (mut inside, mut off) = (0.0, 0.0);
         for &neighbour in self.search.graph.of(index) {
-            let is_on = self.place[neighbour as usize] != u32::MAX;
-            if is_on && !self.labels.of(neighbour).contains(&other) {
+            let labels = self.labels.of(neighbour);
+            if self.place[neighbour as usize] != u32::MAX && !labels.contains(&other) {
                 let step = self.search.point(neighbour) - point;
-                sides += step.dot(&across).signum();
+                let side = step.dot(&across).signum();
+                off += side;
+                inside += if labels.len() == 1 { side } else { 0.0 };
             }
         }
+        let sides = if inside == 0.0 { off } else { inside };
         if sides == 0.0 {
             Role::Corner
         } else {

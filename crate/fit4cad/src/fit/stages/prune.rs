@@ -3,7 +3,6 @@
 use super::super::Candidate;
 use super::super::least_squares::{self, Loss, degrees_of_freedom};
 use super::super::search::Search;
-use super::membership;
 use crate::cloud::Point;
 use crate::cloud::normals::Spread;
 use crate::surface::Surface;
@@ -162,27 +161,34 @@ fn share_on(search: &Search<'_>, points: &[u32], surface: &Surface, limit: f64) 
 fn drop_explained(search: &Search<'_>, candidates: Vec<Candidate>) -> Vec<Candidate> {
     // How many patches each point is interior to.
     let mut interior = vec![0u32; search.cloud.len()];
-    let insides: Vec<Vec<u32>> = candidates
-        .iter()
-        .map(|candidate| {
-            let member = membership(search.cloud.len(), candidate);
-            let inside = |&i: &u32| {
-                search
-                    .graph
-                    .of(i)
-                    .iter()
-                    .take(8)
-                    .all(|&j| member[j as usize])
-            };
-            candidate.support.iter().copied().filter(inside).collect()
-        })
-        .collect();
+    let mut member = vec![false; search.cloud.len()];
+    let mut insides: Vec<Vec<u32>> = Vec::with_capacity(candidates.len());
+    for candidate in &candidates {
+        for &index in &candidate.support {
+            member[index as usize] = true;
+        }
+        let is_inside = |&i: &u32| {
+            let mut near = search.graph.of(i).iter().take(8);
+            near.all(|&j| member[j as usize])
+        };
+        insides.push(
+            candidate
+                .support
+                .iter()
+                .copied()
+                .filter(is_inside)
+                .collect(),
+        );
+        for &index in &candidate.support {
+            member[index as usize] = false;
+        }
+    }
     for &index in insides.iter().flatten() {
         interior[index as usize] += 1;
     }
     let mut kept = vec![true; candidates.len()];
     for (place, candidate) in candidates.iter().enumerate().rev() {
-        let own: Vec<u32> = insides[place].clone();
+        let own = &insides[place];
         let mut of_others = 0;
         for &index in &candidate.support {
             let here = u32::from(own.binary_search(&index).is_ok());
@@ -190,7 +196,7 @@ fn drop_explained(search: &Search<'_>, candidates: Vec<Candidate>) -> Vec<Candid
         }
         if of_others as f64 > EXPLAINED * candidate.support.len() as f64 {
             kept[place] = false;
-            for &index in &own {
+            for &index in own {
                 interior[index as usize] -= 1;
             }
         }
