@@ -51,11 +51,12 @@ async function firstVisit(browser, address) {
     const session = await context.newCDPSession(page);
     await session.send("Emulation.setCPUThrottlingRate", { rate: THROTTLING });
     await page.addInitScript(watch);
-    const responses = [];
-    page.on("response", (response) => responses.push(response));
+    // By address: a second worker has the engine from the first one's answer.
+    const responses = new Map();
+    page.on("response", (response) => responses.set(response.url(), response));
     await page.goto(address);
     await page.waitForFunction(() => window.moments.scored);
-    const bodies = await Promise.all(responses.map((response) => response.body()));
+    const bodies = await Promise.all([...responses.values()].map((response) => response.body()));
     const bytes = bodies.reduce((sum, body) => sum + brotliCompressSync(body).length, 0);
     return { ...(await page.evaluate(() => window.moments)), bytes };
   } finally {
