@@ -44,7 +44,8 @@ export function SpreadChart({ figure, models, sets }: Props): JSX.Element | null
     const spread = figure.spread(statistics);
     return spread ? [{ set: name, spread }] : [];
   });
-  if (values.length === 0) return null;
+  // One model is spread over nothing.
+  if (values.length < 2) return null;
   return (
     <Chart
       name={figure.id}
@@ -76,7 +77,7 @@ function draw(frame: Frame, { axis, tick }: Figure, values: readonly Value[], ro
   const bars = {
     x: "value",
     fy: "set",
-    thresholds: 24,
+    thresholds: thresholds(values),
     fill: ({ set }: Value) => segmentColour(sets.indexOf(set)),
     stroke: frame.soft,
     strokeWidth: 0.75,
@@ -93,10 +94,23 @@ function draw(frame: Frame, { axis, tick }: Figure, values: readonly Value[], ro
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
       Plot.axisX({ label: axis, ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: tick }),
-      Plot.axisY({ label: null, ticks: 4, tickFormat: several ? "~%" : "d" }),
+      Plot.axisY({ label: null, ticks: 4, tickFormat: several ? "~%" : whole }),
       Plot.rectY(values, Plot.binX({ y }, bars)),
       Plot.ruleX(rows, { x: ({ spread }: Row) => spread.median, fy: "set", stroke: frame.ink, strokeWidth: 2, strokeDasharray: "5 3" }),
       ...(several ? [Plot.text(rows, { text: "set", fy: "set", frameAnchor: "top-right", dy: -12, fill: frame.ink, fontWeight: 600 })] : []),
     ],
   });
+}
+
+const BINS = 24;
+
+/** From nothing to the largest value, whatever that is. */
+function thresholds(values: readonly Value[]): number[] {
+  const most = values.reduce((largest, { value }) => Math.max(largest, value), 0) || 1;
+  return Array.from({ length: BINS + 1 }, (_, bin) => (most * bin) / BINS);
+}
+
+/** Half a model is no figure. */
+function whole(value: number): string {
+  return Number.isInteger(value) ? String(value) : "";
 }

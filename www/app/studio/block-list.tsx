@@ -175,7 +175,7 @@ interface VectorProps {
 
 function Vectors({ block, of, which, title, onChange }: VectorProps): JSX.Element {
   return (
-    <>
+    <div class="studio-fields triple">
       {AXES.map((axis, at) => (
         <NumberField
           key={axis}
@@ -187,7 +187,7 @@ function Vectors({ block, of, which, title, onChange }: VectorProps): JSX.Elemen
           onValue={(value) => onChange({ ...block, [which]: withAxis(block[which], at, value) }, `${which} ${axis}`)}
         />
       ))}
-    </>
+    </div>
   );
 }
 

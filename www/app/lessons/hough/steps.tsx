@@ -74,7 +74,7 @@ export const STEPS: readonly HoughStep[] = [
       <>
         <p>
           Click a point of the part. All surfaces of the family through that point P make a curve in the square:{" "}
-          <b>Γ_P</b>, its Hough transform. The cells that it crosses light up.
+          <b>Γ<sub>P</sub></b>, its Hough transform. The cells that it crosses light up.
         </p>
         {family.value === "Cylinder" && (
           <p>For the centres of cylinders of one radius it is a circle of that radius about the point, seen along the axis.</p>
@@ -102,7 +102,7 @@ export const STEPS: readonly HoughStep[] = [
           highlighted.
         </p>
         <Exercise
-          task={`Find a cell with more than half as many votes as the highest one, which has ${top()}.`}
+          task={`Find a cell with more than half as many votes as the highest one, which has ${top() || "…"}.`}
           solved={cell.value === undefined ? false : votesOfCell() > top() / 2}
           standing={cell.value === undefined ? "No cell is chosen." : `The cell has ${plural(votesOfCell(), "vote")}.`}
           hint="Pale cells have many votes."
