@@ -15,7 +15,7 @@ use crate::surface::{Cone, Cylinder, Sphere, Surface, SurfaceType, Torus, across
 /// Cells along either side of the slice. The fitter's own are as long as the points are apart, and
 /// half as many would fit here: as all other parameters are known, votes spread less and a finer
 /// slice keeps a wider gap between surfaces and ripples. In much finer ones peaks fall apart.
-const CELLS: usize = 84;
+const CELLS: usize = 90;
 /// Radii and half-angles of a slice run from this share of the base's to its inverse.
 const SMALLEST_SIZE: f64 = 0.4;
 /// Points a rival family is first fitted to.
