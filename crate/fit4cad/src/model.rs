@@ -56,6 +56,20 @@ pub struct Primitive {
     pub implicit: Coefficients,
 }
 
+impl Primitive {
+    /// Points on a surface that is known exactly: both vectors are converted from it.
+    pub fn on(surface: Surface, number: u32, points: Vec<u32>) -> Self {
+        Self {
+            number,
+            points,
+            kind: Some(surface.kind()),
+            surface: Some(surface),
+            parametric: Coefficients::Given(surface.to_parametric()),
+            implicit: Coefficients::Given(surface.to_implicit()),
+        }
+    }
+}
+
 /// The numbers of one entry of a surface file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Coefficients {

@@ -4,7 +4,7 @@
 
 use fit4cad::cloud::{Cloud, Point, Vector};
 use fit4cad::metrics::{Measure, Measures, Protocol, Report, ScoreError, evaluate, score};
-use fit4cad::model::{Coefficients, Model, Primitive, Segmentation};
+use fit4cad::model::{Model, Primitive, Segmentation};
 use fit4cad::surface::{Cylinder, Plane, Sphere, Surface, SurfaceType};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use proptest::prelude::*;
@@ -12,14 +12,7 @@ use proptest::prelude::*;
 const POINTS: u32 = 40;
 
 fn primitive(number: u32, points: Vec<u32>, surface: Surface) -> Primitive {
-    Primitive {
-        number,
-        points,
-        kind: Some(surface.kind()),
-        surface: Some(surface),
-        parametric: Coefficients::Given(surface.to_parametric()),
-        implicit: Coefficients::Given(surface.to_implicit()),
-    }
+    Primitive::on(surface, number, points)
 }
 
 fn plane(height: f64) -> Surface {

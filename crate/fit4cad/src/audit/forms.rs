@@ -220,12 +220,7 @@ impl<'a> Patch<'a> {
             .iter()
             .filter_map(|&index| cloud.points().get(index as usize))
             .collect();
-        let own = Bounds::of(points.iter().copied()).diagonal();
-        let diagonal = if own > 0.0 {
-            own
-        } else {
-            cloud.bounds().diagonal()
-        };
+        let diagonal = cloud.length_of(&Bounds::of(points.iter().copied()));
         Self { points, diagonal }
     }
 

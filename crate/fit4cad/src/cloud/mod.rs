@@ -47,4 +47,16 @@ impl Cloud {
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
+
+    /// The length l over which distances of a group of points are given (paper, section
+    /// "Approximation accuracy"): the diagonal of the group's own box, of the cloud's box where
+    /// the group has none (one point, or equal points).
+    pub fn length_of(&self, group: &Bounds) -> f64 {
+        let own = group.diagonal();
+        if own > 0.0 {
+            own
+        } else {
+            self.bounds.diagonal()
+        }
+    }
 }

@@ -6,7 +6,7 @@ use nalgebra::Isometry3;
 
 use crate::cloud::{Cloud, Point, Vector};
 use crate::metrics::matching::{Incidence, best_matches};
-use crate::model::{Coefficients, Model, Primitive, Segmentation};
+use crate::model::{Model, Primitive, Segmentation};
 use crate::surface::{Cylinder, Plane, Surface};
 
 /// Distance of neighbouring points; the niche's radius is one.
@@ -54,7 +54,10 @@ pub fn niche(rest: u32) -> Model {
     floor.sort_unstable();
     let upright = Surface::Cylinder(Cylinder::new(Point::origin(), Vector::z(), 1.0));
     let level = Surface::Plane(Plane::new(Point::origin(), Vector::z()));
-    let mut primitives = vec![primitive(1, wall, upright), primitive(2, floor, level)];
+    let mut primitives = vec![
+        Primitive::on(upright, 1, wall),
+        Primitive::on(level, 2, floor),
+    ];
     if rest > 0 {
         let first = points.len() as u32;
         let side = f64::from(rest).sqrt().ceil().max(1.0) as u32;
@@ -64,7 +67,7 @@ pub fn niche(rest: u32) -> Model {
         }));
         let plate = Surface::Plane(Plane::new(Point::new(0.0, 3.0, 0.0), Vector::y()));
         let members = (first..points.len() as u32).collect();
-        primitives.push(primitive(3, members, plate));
+        primitives.push(Primitive::on(plate, 3, members));
     }
     Model {
         name: "niche".to_owned(),
@@ -106,21 +109,10 @@ pub fn painted(model: &Model, lists: &[Vec<u32>], shift: f64) -> Segmentation {
         let partner = matched.and_then(|matched| truth.primitives.get(matched.index));
         if let Some(surface) = partner.and_then(|partner| partner.surface) {
             let moved = surface.moved(&Isometry3::translation(0.0, shift, shift));
-            *primitive = self::primitive(primitive.number, primitive.points.clone(), moved);
+            *primitive = Primitive::on(moved, primitive.number, primitive.points.clone());
         }
     }
     segmentation
-}
-
-fn primitive(number: u32, points: Vec<u32>, surface: Surface) -> Primitive {
-    Primitive {
-        number,
-        points,
-        kind: Some(surface.kind()),
-        surface: Some(surface),
-        parametric: Coefficients::Given(surface.to_parametric()),
-        implicit: Coefficients::Given(surface.to_implicit()),
-    }
 }
 
 #[cfg(test)]

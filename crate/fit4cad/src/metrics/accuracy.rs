@@ -39,12 +39,7 @@ pub fn fit_accuracy(cloud: &Cloud, points: &[u32], surface: &Surface) -> Option<
             d_haus: 0.0,
         });
     }
-    let own = bounds.diagonal();
-    let diagonal = if own > 0.0 {
-        own
-    } else {
-        cloud.bounds().diagonal()
-    };
+    let diagonal = cloud.length_of(&bounds);
     (diagonal > 0.0 && diagonal.is_finite()).then(|| FitAccuracy {
         mfe: sum / f64::from(count) / diagonal,
         d_haus: largest / diagonal,

@@ -2,11 +2,10 @@
 
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
 
-use super::primitive;
 use super::random::Random;
 use crate::cloud::neighbours::{KdTree, Neighbour};
 use crate::cloud::{Bounds, Point, Vector};
-use crate::model::{Model, Segmentation};
+use crate::model::{Model, Primitive, Segmentation};
 use crate::surface::Surface;
 
 /// Standard deviation of the displacement that frays the borders, over the cloud's diagonal.
@@ -51,7 +50,7 @@ pub fn imperfect(model: &Model, seed: u64) -> Segmentation {
     let found = found.filter_map(|(list, surface)| (!list.is_empty()).then_some((list, surface?)));
     let primitives = found.zip(1u32..).map(|((list, surface), number)| {
         let surface = displaced(&surface, &Bounds::of(at(points, &list)), &mut random);
-        primitive(number, list, surface)
+        Primitive::on(surface, number, list)
     });
     Segmentation {
         primitives: primitives.collect(),

@@ -31,8 +31,7 @@ use degrade::Worn;
 pub use imperfect::imperfect;
 
 use crate::cloud::Cloud;
-use crate::model::{Coefficients, Model, Primitive, Segmentation};
-use crate::surface::Surface;
+use crate::model::{Model, Primitive, Segmentation};
 
 /// Most points a model may have before outliers are added.
 pub const MAX_POINTS: usize = 2_000_000;
@@ -187,7 +186,7 @@ pub fn build(name: &str, part: &Part, options: &Options) -> Result<Model, Sample
         let points = worn.list(&patch.points);
         if !points.is_empty() {
             let number = primitives.len() as u32 + 1;
-            primitives.push(primitive(number, points, patch.surface));
+            primitives.push(Primitive::on(patch.surface, number, points));
         }
     }
     Ok(Model {
@@ -226,16 +225,5 @@ fn truth_on(worn: &Worn, truth: &Segmentation) -> Segmentation {
         primitives: left
             .filter(|primitive| !primitive.points.is_empty())
             .collect(),
-    }
-}
-
-fn primitive(number: u32, points: Vec<u32>, surface: Surface) -> Primitive {
-    Primitive {
-        number,
-        points,
-        kind: Some(surface.kind()),
-        surface: Some(surface),
-        parametric: Coefficients::Given(surface.to_parametric()),
-        implicit: Coefficients::Given(surface.to_implicit()),
     }
 }
