@@ -4,23 +4,24 @@
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
 //!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--turn] [--noise SHARE]
-//!     [--outliers SHARE] [--missing SHARE] [--lost] [NAME=VALUE]…
+//!     [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [NAME=VALUE]…
 //! ```
 //! `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
 //! then, they lose. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
-//! that were not found well. NAME=VALUE sets a parameter of the fitters.
+//! that were not found well, `--diagnose` also says at which stage each was lost. NAME=VALUE sets a parameter of the fitters.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use fit4cad::fit::{self, Method, Parameters};
+use fit4cad::fit::{self, Method, Parameters, Search};
 use fit4cad::format::{Role, SourceFile, read_model};
 use fit4cad::metrics::{Measure, Protocol, Report, evaluate};
 use fit4cad::model::Model;
 use stress::Stress;
 
+mod diagnose;
 mod oracle;
 mod stress;
 
@@ -33,6 +34,7 @@ struct Options {
     at_least: usize,
     stress: Stress,
     lost: bool,
+    diagnose: bool,
     parameters: Parameters,
 }
 
@@ -73,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         let row = run(&options, options.stress.apply(model))?;
         println!("{row}");
-        for lost in row.lost.iter().filter(|_| options.lost) {
+        for lost in row.lost.iter().filter(|_| options.lost || options.diagnose) {
             println!("    {lost}");
         }
         rows.push(row);
@@ -93,6 +95,7 @@ impl Options {
             at_least: 1,
             stress: Stress::default(),
             lost: false,
+            diagnose: false,
             parameters: Parameters::default(),
         };
         while let Some(argument) = arguments.next() {
@@ -118,6 +121,7 @@ impl Options {
                 "--outliers" => options.stress.outliers = value()?.parse()?,
                 "--missing" => options.stress.missing = value()?.parse()?,
                 "--lost" => options.lost = true,
+                "--diagnose" => options.diagnose = true,
                 other => match other.split_once('=') {
                     Some((name, value)) => options.parameters.set(name, value.parse()?)?,
                     None => options.folder = PathBuf::from(other),
@@ -191,9 +195,14 @@ fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
         Finder::Oracle => oracle::fit(&model, parameters)?,
     };
     let seconds = start.elapsed().as_secs_f64();
-    let truth = model.truth.unwrap_or_default();
+    let truth = model.truth.clone().unwrap_or_default();
     let report = evaluate(&model.cloud, &truth, &found, Protocol::Definition);
-    let lost = lost(&report);
+    let mut lost = lost(&report);
+    if let (true, Finder::Method(method)) = (options.diagnose, options.finder) {
+        let mut search = Search::new(&model.cloud, parameters, seed);
+        fit::find(&mut search, method, &mut ())?;
+        lost = diagnose::diagnose(&search, &truth, &found, &report);
+    }
     let (mut types, mut types_right) = (0, 0);
     for row in &report.primitives {
         if let (Some(kind), Some(matched)) = (row.kind, row.matched) {

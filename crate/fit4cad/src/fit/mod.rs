@@ -91,18 +91,28 @@ pub fn fit(
     if observer.wants_trace() {
         observer.trace(Event::Scale(scale));
     }
-    match method {
-        Method::Hough => hough::find(&mut search, observer)?,
-        Method::Growing => {
-            growing::find(&mut search, observer)?;
-            detect::borders(&mut search, observer)?;
-        }
-    }
+    find(&mut search, method, observer)?;
     let segmentation = stages::finish(&search, observer)?;
     Ok(Fit {
         segmentation,
         scale,
     })
+}
+
+/// Finds surfaces by a method: what [`fit`] does before the [`stages`] that all methods share. They
+/// are the search's accepted candidates afterwards.
+pub fn find(
+    search: &mut Search<'_>,
+    method: Method,
+    observer: &mut dyn Observer,
+) -> Result<(), Cancelled> {
+    match method {
+        Method::Hough => hough::find(search, observer),
+        Method::Growing => {
+            growing::find(search, observer)?;
+            detect::borders(search, observer)
+        }
+    }
 }
 
 #[cfg(test)]
