@@ -1,7 +1,7 @@
 //! The state of a search for surfaces: the cloud with its neighbours and scale, what has been
 //! accepted and what that explains, and the three steps every method takes (grow, compare, accept).
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::least_squares::{self, Loss, degrees_of_freedom};
 use super::{Candidate, Parameters, Scale};
@@ -311,19 +311,24 @@ impl<'a> Search<'a> {
     }
 
     /// Whether a surface is one that CAD would call by its name: not a cylinder so large that it is
-    /// a plane, not a torus that meets itself.
+    /// a plane, not a torus that is nearly a sphere.
     pub fn is_plausible(&self, surface: &Surface) -> bool {
         let largest = 20.0 * self.scale.diagonal;
         let smallest = 4.0 * self.scale.tolerance;
+        let slimmest = if self.scale.is_clean() {
+            SLIMMEST
+        } else {
+            10.0 * SLIMMEST
+        };
         match surface {
             Surface::Plane(_) => true,
             Surface::Cylinder(s) => (smallest..largest).contains(&s.radius),
-            Surface::Cone(s) => (0.005..1.566).contains(&s.half_angle),
+            Surface::Cone(s) => (slimmest..FRAC_PI_2 - slimmest).contains(&s.half_angle),
             Surface::Sphere(s) => (smallest..largest).contains(&s.radius),
             Surface::Torus(s) => {
                 (smallest..largest).contains(&s.minor_radius)
                     && s.major_radius < largest
-                    && s.major_radius > 1.001 * s.minor_radius
+                    && s.major_radius > FATTEST * s.minor_radius
             }
         }
     }
@@ -345,10 +350,12 @@ impl<'a> Search<'a> {
     /// The best of several candidates for the same place: the one worth most; of those that are
     /// worth nearly as much, the simplest, unless its mean fitting error is clearly larger.
     pub fn best(&self, candidates: Vec<Candidate>) -> Option<Candidate> {
-        let rated: Vec<(f64, Candidate)> = candidates
-            .into_iter()
-            .map(|c| (self.worth(&c), c))
-            .collect();
+        let rated = candidates.into_iter().map(|c| (self.worth(&c), c));
+        self.best_of(rated.collect())
+    }
+
+    /// As [`Search::best`], of candidates whose worth is given.
+    pub fn best_of(&self, rated: Vec<(f64, Candidate)>) -> Option<Candidate> {
         let most = rated.iter().map(|(worth, _)| *worth).fold(0.0, f64::max);
         let least_error = rated
             .iter()
@@ -437,6 +444,11 @@ impl<'a> Search<'a> {
 }
 
 const GROWTH_ROUNDS: usize = 24;
+/// Smallest half-angle of a cone without noise, in radians: drafts of moulded parts are a few
+/// thousandths. A slimmer cone is a cylinder, one that much wider a plane.
+const SLIMMEST: f64 = 5e-4;
+/// Smallest major radius of a torus, in minor ones. Turned profiles may cut their axis.
+const FATTEST: f64 = 0.1;
 /// By how many parts in the root of the number of points a fitting error may be larger by chance.
 const NOISE_SPREAD: f64 = 3.0;
 /// Share of the most worth that counts as nearly as much.

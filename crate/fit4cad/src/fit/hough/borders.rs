@@ -1,22 +1,121 @@
 //! Open borders: where an accepted surface ends and nothing yet begins.
 //!
-//! A ring, chamfer or countersink one point wide has no interior points, so none of its points ever
-//! looks unexplained: all lie on the edges of its neighbours. But there the neighbours end without
-//! a second surface to end at. Such a point sees its own surface only on one side, and one surface
-//! alone holds it.
+//! The surface of a solid is closed: along every edge two faces meet. A ring, chamfer or countersink
+//! one point wide has no interior points, so none of its points ever looks unexplained: all lie on
+//! the edges of its neighbours. But these edges are open, held by one surface alone, until the
+//! missing face is found.
+
+use std::f64::consts::TAU;
 
 use crate::cloud::{Direction, Vector};
-use crate::fit::Search;
+use crate::fit::{Candidate, Search};
 use crate::surface::across;
 
 /// Angle without neighbours, in radians, above which a point is on the border of its surface. On a
 /// straight border it is π; inside a face of evenly spread points it stays below 1.5.
 const GAP: f64 = 1.9;
+/// How far inside, in radians, the next points along a border may lie.
+const ALONG: f64 = 0.4;
+
+/// A point on the border of a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BorderPoint {
+    /// The point.
+    pub index: u32,
+    /// The points before and after it along the border.
+    pub along: [u32; 2],
+}
+
+/// The points of a patch around which its other points leave a gap. O(points of the patch).
+pub fn border(search: &Search<'_>, candidate: &Candidate) -> Vec<BorderPoint> {
+    let mut steps = Vec::new();
+    let points = candidate.support.iter();
+    points
+        .filter_map(|&index| {
+            let along = ends(search, candidate, index, &mut steps)?;
+            Some(BorderPoint { index, along })
+        })
+        .collect()
+}
+
+/// A step from a point to a neighbour, seen along the normal.
+#[derive(Debug, Clone, Copy)]
+struct Step {
+    angle: f64,
+    length: f64,
+    to: u32,
+}
+
+/// The neighbours of a point along the border of a patch; `None` for a point inside.
+fn ends(
+    search: &Search<'_>,
+    candidate: &Candidate,
+    index: u32,
+    steps: &mut Vec<Step>,
+) -> Option<[u32; 2]> {
+    let near = search.graph.of(index);
+    let inside = |i: &&u32| candidate.support.binary_search(i).is_ok();
+    if near.iter().all(|i| inside(&i)) {
+        return None;
+    }
+    let point = search.point(index);
+    let normal = candidate.surface.normal(point);
+    steps.clear();
+    let seen = near
+        .iter()
+        .filter(inside)
+        .map(|&to| (to, search.point(to) - point));
+    around(&normal, seen, steps);
+    let (gap, before, after) = widest_gap(steps);
+    if gap <= GAP {
+        return None;
+    }
+    // Of the points in about the direction of the border's end, the nearest is the next along it.
+    let next = |end: f64, side: f64| {
+        let along = steps.iter().filter(|step| {
+            let inward = (side * (step.angle - end)).rem_euclid(TAU);
+            !(ALONG..=TAU - 1e-9).contains(&inward)
+        });
+        along
+            .min_by(|a, b| a.length.total_cmp(&b.length))
+            .map_or(index, |step| step.to)
+    };
+    Some([next(before, -1.0), next(after, 1.0)])
+}
+
+/// The steps by angle in the tangent plane, ascending.
+fn around(normal: &Direction, seen: impl Iterator<Item = (u32, Vector)>, steps: &mut Vec<Step>) {
+    let first = across(normal);
+    let second = normal.cross(&first);
+    steps.extend(seen.map(|(to, step)| Step {
+        angle: step.dot(&second).atan2(step.dot(&first)),
+        length: step.norm(),
+        to,
+    }));
+    steps.sort_unstable_by(|a, b| a.angle.total_cmp(&b.angle));
+}
+
+/// The widest angle without a step, and the angles at which it begins and ends; a full turn for
+/// fewer than two steps.
+fn widest_gap(steps: &[Step]) -> (f64, f64, f64) {
+    let (Some(first), Some(last)) = (steps.first(), steps.last()) else {
+        return (TAU, 0.0, 0.0);
+    };
+    let around = (first.angle + TAU - last.angle, last.angle, first.angle);
+    steps
+        .windows(2)
+        .map(|pair| (pair[1].angle - pair[0].angle, pair[0].angle, pair[1].angle))
+        .fold(
+            around,
+            |widest, gap| if gap.0 > widest.0 { gap } else { widest },
+        )
+}
 
 /// What is known of every point's place among the accepted surfaces.
 #[derive(Debug, Clone)]
 pub struct Borders {
     state: Vec<State>,
+    holders: Holders,
 }
 
 /// A point's place.
@@ -24,58 +123,100 @@ pub struct Borders {
 enum State {
     /// On no accepted surface.
     Unexplained,
-    /// On the border of this accepted surface alone.
-    Open(u32),
+    /// On an open border of this accepted surface.
+    Open(u32, [u32; 2]),
     /// Inside a surface, or where two meet.
     Settled,
+}
+
+/// The accepted surfaces that hold each point, as lists in one arena.
+#[derive(Debug, Clone)]
+struct Holders {
+    first: Vec<u32>,
+    entries: Vec<(u32, u32)>,
+}
+
+impl Holders {
+    fn new(count: usize) -> Self {
+        Self {
+            first: vec![u32::MAX; count],
+            entries: Vec::new(),
+        }
+    }
+
+    fn add(&mut self, surface: u32, support: &[u32]) {
+        for &index in support {
+            let first = &mut self.first[index as usize];
+            let before = std::mem::replace(first, self.entries.len() as u32);
+            self.entries.push((surface, before));
+        }
+    }
+
+    fn of(&self, index: u32) -> impl Iterator<Item = u32> + '_ {
+        let mut next = self.first[index as usize];
+        std::iter::from_fn(move || {
+            let &(surface, following) = self.entries.get(next as usize)?;
+            next = following;
+            Some(surface)
+        })
+    }
+
+    /// Whether the edge between two border points of a surface belongs to no other.
+    fn is_open(&self, surface: u32, a: u32, b: u32) -> bool {
+        let mut others = self.of(a).filter(|&other| other != surface);
+        !others.any(|other| self.of(b).any(|it| it == other))
+    }
 }
 
 impl Borders {
     /// Looks at every point. O(n).
     pub fn of(search: &Search<'_>) -> Self {
-        let mut state = vec![State::Unexplained; search.cloud.len()];
-        let mut owners = vec![Owner::Nobody; search.cloud.len()];
+        let mut borders = Self {
+            state: vec![State::Unexplained; search.cloud.len()],
+            holders: Holders::new(search.cloud.len()),
+        };
         for (number, candidate) in (0_u32..).zip(search.accepted()) {
-            for &index in &candidate.support {
-                let owner = &mut owners[index as usize];
-                *owner = match owner {
-                    Owner::Nobody => Owner::One(number),
-                    _ => Owner::Many,
-                };
-            }
+            borders.holders.add(number, &candidate.support);
         }
-        let mut angles = Vec::new();
-        for (index, owner) in (0_u32..).zip(&owners) {
-            let Owner::One(owner) = *owner else {
-                if *owner == Owner::Many {
-                    state[index as usize] = State::Settled;
-                }
-                continue;
-            };
-            let surface = &search.accepted()[owner as usize];
-            let normal = surface.surface.normal(search.point(index));
-            let same = search.graph.of(index).iter().copied().filter(|&neighbour| {
-                match owners[neighbour as usize] {
-                    Owner::One(other) => other == owner,
-                    Owner::Many => surface.support.binary_search(&neighbour).is_ok(),
-                    Owner::Nobody => false,
-                }
-            });
-            let steps = same.map(|neighbour| search.point(neighbour) - search.point(index));
-            state[index as usize] = if widest_gap(&normal, steps, &mut angles) > GAP {
-                State::Open(owner)
-            } else {
-                State::Settled
-            };
+        for (number, candidate) in (0_u32..).zip(search.accepted()) {
+            let border = border(search, candidate);
+            borders.open(number, candidate, &border);
         }
-        Self { state }
+        borders
     }
 
-    /// Notes that a new surface explains these points.
-    pub fn settle(&mut self, support: &[u32]) {
-        for &index in support {
-            self.state[index as usize] = State::Settled;
+    /// Notes which border points of a surface have edges of no other.
+    fn open(&mut self, surface: u32, candidate: &Candidate, border: &[BorderPoint]) {
+        for &index in &candidate.support {
+            if self.state[index as usize] == State::Unexplained {
+                self.state[index as usize] = State::Settled;
+            }
         }
+        for point in border {
+            if self.is_open(surface, point) {
+                self.state[point.index as usize] = State::Open(surface, point.along);
+            }
+        }
+    }
+
+    fn is_open(&self, surface: u32, point: &BorderPoint) -> bool {
+        let mut along = point.along.iter();
+        along.any(|&next| self.holders.is_open(surface, point.index, next))
+    }
+
+    /// Notes that a surface has been accepted, the last: it closes borders of others and has its own.
+    pub fn settle(&mut self, surface: u32, candidate: &Candidate, border: &[BorderPoint]) {
+        self.holders.add(surface, &candidate.support);
+        for &index in &candidate.support {
+            let state = self.state[index as usize];
+            self.state[index as usize] = match state {
+                State::Open(owner, along) if self.is_open(owner, &BorderPoint { index, along }) => {
+                    state
+                }
+                _ => State::Settled,
+            };
+        }
+        self.open(surface, candidate, border);
     }
 
     /// Whether a point is unexplained or on an open border.
@@ -86,7 +227,7 @@ impl Borders {
     /// The position, among the accepted, of the surface whose open border a point is on.
     pub fn owner(&self, index: u32) -> Option<u32> {
         match self.state[index as usize] {
-            State::Open(owner) => Some(owner),
+            State::Open(owner, _) => Some(owner),
             _ => None,
         }
     }
@@ -112,55 +253,43 @@ impl Borders {
     }
 }
 
-/// Who holds a point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Owner {
-    Nobody,
-    One(u32),
-    Many,
-}
-
-/// The widest angle around a point without a step, seen along the normal; a full turn for fewer
-/// than two steps.
-fn widest_gap(
-    normal: &Direction,
-    steps: impl Iterator<Item = Vector>,
-    angles: &mut Vec<f64>,
-) -> f64 {
-    let first = across(normal);
-    let second = normal.cross(&first);
-    angles.clear();
-    angles.extend(steps.map(|step| step.dot(&second).atan2(step.dot(&first))));
-    angles.sort_unstable_by(f64::total_cmp);
-    let (Some(&low), Some(&high)) = (angles.first(), angles.last()) else {
-        return std::f64::consts::TAU;
-    };
-    let around = low + std::f64::consts::TAU - high;
-    angles
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .fold(around, f64::max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn steps(angles: impl Iterator<Item = f64>) -> Vec<Step> {
+        let mut steps = Vec::new();
+        let seen = (0..).zip(angles.map(|angle| Vector::new(angle.cos(), angle.sin(), 0.0)));
+        around(&Vector::z_axis(), seen, &mut steps);
+        steps
+    }
+
     #[test]
     fn a_point_on_a_straight_border_sees_a_gap_of_half_a_turn() {
-        let steps = (0..=8).map(|i| {
-            let (sin, cos) = (f64::from(i) * std::f64::consts::PI / 8.0).sin_cos();
-            Vector::new(cos, sin, 0.0)
-        });
-        let gap = widest_gap(&Vector::z_axis(), steps, &mut Vec::new());
+        let half = steps((0..=8).map(|i| f64::from(i) * std::f64::consts::PI / 8.0));
+        let (gap, _, _) = widest_gap(&half);
         assert!((gap - std::f64::consts::PI).abs() < 1e-12);
+        let (gap, _, _) = widest_gap(&steps((0..6).map(f64::from)));
+        assert!(gap < 1.3);
+    }
+
+    #[test]
+    fn an_edge_is_closed_once_two_surfaces_hold_both_its_ends() {
+        let mut holders = Holders::new(4);
+        holders.add(0, &[0, 1, 2]);
+        holders.add(1, &[1, 3]);
+        assert!(holders.is_open(0, 1, 2));
+        holders.add(2, &[1, 2]);
+        assert!(!holders.is_open(0, 1, 2));
+        assert_eq!(holders.of(1).collect::<Vec<_>>(), [2, 1, 0]);
     }
 
     #[test]
     fn evidence_needs_free_points_from_two_sides() {
-        let open = |owner| vec![State::Open(owner); 5];
+        let open = |owner| vec![State::Open(owner, [0, 0]); 5];
         let borders = Borders {
             state: [open(0), open(1), vec![State::Settled; 5]].concat(),
+            holders: Holders::new(15),
         };
         let support = |range: std::ops::Range<u32>| range.collect::<Vec<u32>>();
         assert_eq!(borders.evidence(&support(0..5)), None);

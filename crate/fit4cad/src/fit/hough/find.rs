@@ -1,12 +1,14 @@
 //! The search of HT: vote, pick persistent peaks, polish, let them compete, remove what the winners
 //! explain, and vote again until nothing is left to find.
 
+use super::axis::known_axes;
 use super::borders::Borders;
-use super::coaxial::{coaxial_votes, known_axes, mixed_coaxial_votes, ring_votes};
+use super::coaxial::{coaxial_votes, mixed_coaxial_votes, ring_votes};
 use super::family::Region;
 use super::noisy;
 use super::rounds::{Evidence, round};
 use super::solutions;
+use super::swept::swept_votes;
 use super::trace::Recorder;
 use super::vote::{Spaces, Vote};
 use crate::fit::{Cancelled, Observer, Search, Stage};
@@ -244,6 +246,7 @@ impl Work<'_> {
                 }
                 let before = votes.len();
                 ring_votes(search, &borders, &axes, seed, &patch, &mut votes);
+                swept_votes(search, seed, &patch, &mut votes);
                 if votes.len() == before
                     && let Some(vote) = solutions::pure_vote(search, seed, &patch)
                 {

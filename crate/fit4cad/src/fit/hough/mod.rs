@@ -9,7 +9,8 @@
 //! (a randomised Hough transform): one vote is one cell, so that accumulators can be sparse and fine.
 //!
 //! ```text
-//! solutions, coaxial, borders   neighbourhoods → votes
+//! solutions                     neighbourhoods → votes
+//! axis, coaxial, swept, borders   thin faces: profiles about axes and along directions → votes
 //! family, vote                  votes → ladder of small spaces → consensus of each peak's voters
 //!   directions, grid              the spaces: half the Gauss sphere; boxes of up to three axes
 //!   accumulator, persistence      𝓗 and its maxima above 10 % of the highest
@@ -24,6 +25,7 @@
 //! neighbours show.
 
 pub mod accumulator;
+mod axis;
 mod borders;
 mod coaxial;
 mod curve;
@@ -34,9 +36,11 @@ pub mod gamma;
 pub mod grid;
 mod noisy;
 pub mod persistence;
+mod profile;
 mod rounds;
 mod solutions;
 pub mod space;
+mod swept;
 pub mod trace;
 pub mod vote;
 

@@ -1,10 +1,11 @@
 //! One round of the transform: count the votes, pick the summits, polish, and let the candidates
 //! compete.
 
-use super::borders::Borders;
+use super::borders::{BorderPoint, Borders, border};
 use super::curve::is_curve;
 use super::find::Work;
 use super::vote::{Summit, Vote};
+use crate::cloud::Point;
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
 use crate::fit::local;
 use crate::fit::{Candidate, Parameters, Search};
@@ -26,9 +27,13 @@ pub enum Evidence<'b> {
 impl Evidence<'_> {
     /// Whether a candidate has points enough beyond those that any surface of its family would
     /// hold, and evidence of its own.
-    fn suffices(&self, search: &mut Search<'_>, candidate: &Candidate) -> bool {
+    fn suffices(&self, search: &mut Search<'_>, contender: &Contender) -> bool {
+        let Contender {
+            candidate, border, ..
+        } = contender;
         let smallest = Parameters::count(search.parameters.smallest);
         let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
+        let is_clean = search.scale.is_clean();
         let (evident, shape): (usize, Vec<u32>) = match self {
             Self::Own => {
                 let support = candidate.support.iter().copied();
@@ -43,17 +48,57 @@ impl Evidence<'_> {
             }
         };
         // Within noise a band along the edge of a face lies on many surfaces.
-        let is_new = search.scale.is_clean() || 2 * evident >= candidate.support.len();
+        let is_new = is_clean || 2 * evident >= candidate.support.len();
         is_new
             && candidate.support.len() >= smallest.max(redundant)
-            && evident
-                >= smallest.max(if search.scale.is_clean() {
-                    3
-                } else {
-                    NOISY_OWN
-                })
+            && evident >= smallest.max(if is_clean { 3 } else { NOISY_OWN })
             && !is_curve(&search.points(&shape), 2.0 * search.scale.tolerance)
+            && (!is_clean || !matches!(self, Self::Own) || contender.is_wide(search))
             && search.thickness(candidate) >= THICKNESS
+    }
+
+    /// What a contender is worth. Among thin faces its points count by what they tell of the face:
+    /// fully inside it, a third where it joins another, and nothing where it ends in nowhere.
+    fn worth(&self, search: &Search<'_>, contender: &Contender) -> f64 {
+        match self {
+            Self::Own => search.worth(&contender.candidate),
+            Self::Borders(_) => {
+                let is_loose = |point: &&BorderPoint| !search.is_explained(point.index);
+                let loose = contender.border.iter().filter(is_loose).count();
+                search.worth(&contender.candidate) - 3.0 * loose as f64
+            }
+        }
+    }
+}
+
+/// A candidate in competition.
+struct Contender {
+    worth: f64,
+    candidate: Candidate,
+    border: Vec<BorderPoint>,
+}
+
+impl Contender {
+    /// Whether its points inside are more than a single row: one row with the two beside it is on a
+    /// cylinder or torus whatever it is. Three rows in one plane are no accident.
+    fn is_wide(&self, search: &Search<'_>) -> bool {
+        if self.candidate.surface.kind() == SurfaceType::Plane || self.border.is_empty() {
+            return true;
+        }
+        let is_inside = |index: &&u32| {
+            let found = self
+                .border
+                .binary_search_by_key(*index, |point| point.index);
+            found.is_err()
+        };
+        let inside: Vec<Point> = self
+            .candidate
+            .support
+            .iter()
+            .filter(is_inside)
+            .map(|&index| *search.point(index))
+            .collect();
+        !is_curve(&inside, 2.0 * search.scale.tolerance)
     }
 }
 
@@ -64,6 +109,9 @@ const NOISY_OWN: usize = 12;
 /// Mean number of a patch's own points among the eight nearest of each: along a row of points, which
 /// lies on too many surfaces, it is two or three, in a strip of two rows five.
 const THICKNESS: f64 = 3.5;
+
+/// Thickness below which a patch may be all border: three rows of points have six or seven.
+const WIDE: f64 = 7.2;
 
 /// Counts the votes of all families and accepts the winners. Returns how many there were.
 pub fn round(
@@ -155,32 +203,46 @@ fn accept_winners(
     candidates: Vec<Candidate>,
     evidence: &mut Evidence<'_>,
 ) -> usize {
-    let mut open: Vec<(f64, Candidate)> = Vec::new();
+    let mut open: Vec<Contender> = Vec::new();
     for candidate in candidates {
-        open.push((search.worth(&candidate), candidate));
+        let is_thin = search.scale.is_clean() && search.thickness(&candidate) < WIDE;
+        let border = if is_thin {
+            border(search, &candidate)
+        } else {
+            Vec::new()
+        };
+        open.push(Contender {
+            worth: 0.0,
+            candidate,
+            border,
+        });
     }
     let mut accepted = 0;
     loop {
-        open.retain(|(_, candidate)| evidence.suffices(search, candidate));
-        for (worth, candidate) in &mut open {
-            *worth = search.worth(candidate);
+        open.retain(|contender| evidence.suffices(search, contender));
+        for contender in &mut open {
+            contender.worth = evidence.worth(search, contender);
         }
-        open.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-        let Some((_, top)) = open.first() else {
+        open.sort_by(|a, b| b.worth.total_cmp(&a.worth));
+        let Some(top) = open.first() else {
             return accepted;
         };
-        let contest: Vec<Candidate> = open
+        let contest: Vec<(f64, Candidate)> = open
             .iter()
-            .filter(|(_, other)| shared(&top.support, &other.support))
-            .map(|(_, other)| other.clone())
+            .filter(|other| shared(&top.candidate.support, &other.candidate.support))
+            .map(|other| (other.worth, other.candidate.clone()))
             .collect();
-        let Some(winner) = search.best(contest) else {
+        let Some(winner) = search.best_of(contest) else {
             return accepted;
         };
-        open.retain(|(_, candidate)| candidate != &winner);
+        let Some(place) = open.iter().position(|other| other.candidate == winner) else {
+            return accepted;
+        };
+        let Contender { border, .. } = open.swap_remove(place);
         if !search.has_fuzzy_border(&winner) {
             if let Evidence::Borders(borders) = evidence {
-                borders.settle(&winner.support);
+                // Candidates are fewer than points, which u32 counts.
+                borders.settle(search.accepted().len() as u32, &winner, &border);
             }
             work.recorder.accepted(&winner);
             search.accept(winner);
