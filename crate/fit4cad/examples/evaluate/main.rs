@@ -3,10 +3,11 @@
 //!
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
-//!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--turn] [--noise SHARE]
+//!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE]
 //!     [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [NAME=VALUE]…
 //! ```
-//! `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
+//! DIR holds PC1.txt, PC1_primitives.txt, …; `parts` stands for the catalogue of generated parts and
+//! for combs of narrow grooves ([`comb`]). `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
 //! then, they lose. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
 //! that were not found well, `--diagnose` also says at which stage each was lost. NAME=VALUE sets a parameter of the fitters.
 
@@ -19,8 +20,10 @@ use fit4cad::fit::{self, Method, Parameters, Search};
 use fit4cad::format::{Role, SourceFile, read_model};
 use fit4cad::metrics::{Measure, Protocol, Report, evaluate};
 use fit4cad::model::Model;
+use fit4cad::sample;
 use stress::Stress;
 
+mod comb;
 mod diagnose;
 mod oracle;
 mod stress;
@@ -65,10 +68,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let options = Options::read(std::env::args().skip(1))?;
     let mut rows = Vec::new();
     println!("model      points truth found    DSC  back types      MFE   dHaus      d1  seconds");
-    for name in names(&options)? {
-        let Some(model) = read(&options.folder, &name)? else {
+    for model in models(&options)? {
+        let model = model?;
+        if !options.only.is_empty() && !options.only.contains(&model.name) {
             continue;
-        };
+        }
         let size = model.truth.as_ref().map_or(0, |t| t.primitives.len());
         if size < options.at_least {
             continue;
@@ -113,9 +117,10 @@ impl Options {
                 }
                 "--seed" => options.seed = value()?.parse()?,
                 "--every" => options.every = value()?.parse::<usize>()?.max(1),
-                "--only" => options.only = value()?.split(',').map(|n| format!("PC{n}")).collect(),
+                "--only" => options.only = value()?.split(',').map(name_of).collect(),
                 "--at-least" => options.at_least = value()?.parse()?,
                 "--thin" => options.stress.thin = value()?.parse()?,
+                "--drop" => options.stress.drop = value()?.parse()?,
                 "--turn" => options.stress.turn = true,
                 "--noise" => options.stress.noise = value()?.parse()?,
                 "--outliers" => options.stress.outliers = value()?.parse()?,
@@ -134,6 +139,30 @@ impl Options {
         Ok(options)
     }
 }
+
+/// The name of a model by its number, or as it is.
+fn name_of(text: &str) -> String {
+    match text.parse::<u32>() {
+        Ok(number) => format!("PC{number}"),
+        Err(_) => text.to_owned(),
+    }
+}
+
+/// The models asked for, read or made one at a time.
+fn models(options: &Options) -> Result<Models, Box<dyn Error>> {
+    if options.folder == Path::new("parts") {
+        let parts = sample::parts().iter();
+        let generated = parts.map(|part| Ok(sample::generate(part.name, &Default::default())?));
+        return Ok(Box::new(generated.chain(comb::combs().into_iter().map(Ok))));
+    }
+    let folder = options.folder.clone();
+    let names = names(options)?.into_iter();
+    Ok(Box::new(
+        names.filter_map(move |name| read(&folder, &name).transpose()),
+    ))
+}
+
+type Models = Box<dyn Iterator<Item = Result<Model, Box<dyn Error>>>>;
 
 /// Models of the folder asked for, by number.
 fn names(options: &Options) -> Result<Vec<String>, Box<dyn Error>> {

@@ -12,6 +12,8 @@ pub struct Stress {
     /// edges, edges before corners, as in a coarser mesh. Details get thin: a factor of 2 leaves about a
     /// quarter of the points.
     pub thin: f64,
+    /// Share of the points left out at random.
+    pub drop: f64,
     /// Share of the points cut away around one of them.
     pub missing: f64,
     /// Standard deviation of Gaussian noise, in diagonals of the bounding box.
@@ -28,6 +30,12 @@ impl Stress {
     pub fn apply(&self, mut model: Model) -> Model {
         if self.thin > 0.0 {
             let kept = thinned(&model, self.thin);
+            model = rearranged(model, &kept);
+        }
+        if self.drop > 0.0 {
+            let mut random = fastrand::Rng::with_seed(9);
+            let all = (0u32..).take(model.cloud.len());
+            let kept: Vec<u32> = all.filter(|_| random.f64() >= self.drop).collect();
             model = rearranged(model, &kept);
         }
         self.wear(&mut model);

@@ -130,6 +130,11 @@ impl<'a> Search<'a> {
         })
     }
 
+    /// The accepted surface that held a point last, if any.
+    pub fn holder(&self, index: u32) -> Option<&Candidate> {
+        self.accepted.get(self.holder[index as usize] as usize)
+    }
+
     /// The accepted surfaces that hold some of the points or their neighbours, each once.
     pub fn surfaces_beside(&self, points: &[u32]) -> Vec<Surface> {
         let near = points
@@ -399,10 +404,12 @@ impl<'a> Search<'a> {
         // So many exact points on one surface are no accident.
         const BEYOND_DOUBT: usize = 400;
         const EXACT: f64 = 0.05;
+        const GOOD: f64 = 0.2;
         // An accidental fit fills the tolerance; a face much more exact than that is none, even
         // where the next face goes on from it within the tolerance.
         let is_exact = candidate.error < EXACT * self.scale.tolerance
-            || candidate.support.len() >= BEYOND_DOUBT;
+            || candidate.support.len() >= BEYOND_DOUBT
+                && candidate.error < GOOD * self.scale.tolerance;
         if is_exact || !self.scale.is_clean() {
             return false;
         }
@@ -447,7 +454,7 @@ const GROWTH_ROUNDS: usize = 24;
 /// Smallest half-angle of a cone without noise, in radians: drafts of moulded parts are a few
 /// thousandths. A slimmer cone is a cylinder, one that much wider a plane.
 const SLIMMEST: f64 = 5e-4;
-/// Smallest major radius of a torus, in minor ones. Turned profiles may cut their axis.
+/// Smallest major radius of a torus, in minor ones: turned profiles may cut their axis.
 const FATTEST: f64 = 0.1;
 /// By how many parts in the root of the number of points a fitting error may be larger by chance.
 const NOISE_SPREAD: f64 = 3.0;

@@ -7,6 +7,9 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::{Matrix2, Vector2};
+
+use crate::cloud::neighbours::Neighbour;
 use crate::cloud::{Direction, Vector};
 use crate::fit::{Candidate, Search};
 use crate::surface::across;
@@ -14,8 +17,16 @@ use crate::surface::across;
 /// Angle without neighbours, in radians, above which a point is on the border of its surface. On a
 /// straight border it is π; inside a face of evenly spread points it stays below 1.5.
 const GAP: f64 = 1.9;
+/// Nearest points of a patch among which a gap is looked for. Of the patch, not of the cloud: where
+/// points along the rulings of narrow faces are sparse, the nearest are on other faces.
+const AROUND: usize = 10;
+/// How far off they may be, in spacings.
+const REACH: f64 = 12.0;
 /// How far inside, in radians, the next points along a border may lie.
 const ALONG: f64 = 0.4;
+
+/// Points in which surfaces must meet to be neighbours.
+const ANCHOR: usize = 3;
 
 /// A point on the border of a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,11 +39,11 @@ pub struct BorderPoint {
 
 /// The points of a patch around which its other points leave a gap. O(points of the patch).
 pub fn border(search: &Search<'_>, candidate: &Candidate) -> Vec<BorderPoint> {
-    let mut steps = Vec::new();
+    let (mut near, mut steps) = (Vec::new(), Vec::new());
     let points = candidate.support.iter();
     points
         .filter_map(|&index| {
-            let along = ends(search, candidate, index, &mut steps)?;
+            let along = ends(search, candidate, index, &mut near, &mut steps)?;
             Some(BorderPoint { index, along })
         })
         .collect()
@@ -51,21 +62,29 @@ fn ends(
     search: &Search<'_>,
     candidate: &Candidate,
     index: u32,
+    near: &mut Vec<Neighbour>,
     steps: &mut Vec<Step>,
 ) -> Option<[u32; 2]> {
-    let near = search.graph.of(index);
-    let inside = |i: &&u32| candidate.support.binary_search(i).is_ok();
-    if near.iter().all(|i| inside(&i)) {
+    let is_inside = |i: u32| candidate.support.binary_search(&i).is_ok();
+    if search.graph.of(index).iter().all(|&i| is_inside(i)) {
         return None;
     }
     let point = search.point(index);
     let normal = candidate.surface.normal(point);
+    let radius = REACH * search.scale.spacing;
+    search
+        .tree
+        .nearest(point, AROUND + 1, radius, is_inside, near);
     steps.clear();
-    let seen = near
+    let others = near
         .iter()
-        .filter(inside)
-        .map(|&to| (to, search.point(to) - point));
-    around(&normal, seen, steps);
+        .map(|neighbour| neighbour.index)
+        .filter(|&to| to != index);
+    around(
+        &normal,
+        others.map(|to| (to, search.point(to) - point)),
+        steps,
+    );
     let (gap, before, after) = widest_gap(steps);
     if gap <= GAP {
         return None;
@@ -83,14 +102,24 @@ fn ends(
     Some([next(before, -1.0), next(after, 1.0)])
 }
 
-/// The steps by angle in the tangent plane, ascending.
+/// The steps by angle in the tangent plane, ascending, in coordinates in which they are spread
+/// equally in all directions: where points along rulings are sparse, those on the next ruling lie
+/// almost straight ahead and behind, and a gap would seem to open between them.
 fn around(normal: &Direction, seen: impl Iterator<Item = (u32, Vector)>, steps: &mut Vec<Step>) {
     let first = across(normal);
     let second = normal.cross(&first);
-    steps.extend(seen.map(|(to, step)| Step {
-        angle: step.dot(&second).atan2(step.dot(&first)),
-        length: step.norm(),
-        to,
+    let flat = seen.map(|(to, step)| (to, Vector2::new(step.dot(&first), step.dot(&second))));
+    let flat: Vec<(u32, Vector2<f64>)> = flat.collect();
+    let moments: Matrix2<f64> = flat.iter().map(|(_, step)| step * step.transpose()).sum();
+    let even = moments.cholesky().and_then(|root| root.l().try_inverse());
+    let even = even.unwrap_or_else(Matrix2::identity);
+    steps.extend(flat.into_iter().map(|(to, step)| {
+        let turned = even * step;
+        Step {
+            angle: turned.y.atan2(turned.x),
+            length: turned.norm(),
+            to,
+        }
     }));
     steps.sort_unstable_by(|a, b| a.angle.total_cmp(&b.angle));
 }
@@ -116,6 +145,8 @@ fn widest_gap(steps: &[Step]) -> (f64, f64, f64) {
 pub struct Borders {
     state: Vec<State>,
     holders: Holders,
+    /// Whether each accepted surface is certain by itself, without its neighbours.
+    certain: Vec<bool>,
 }
 
 /// A point's place.
@@ -174,6 +205,7 @@ impl Borders {
         let mut borders = Self {
             state: vec![State::Unexplained; search.cloud.len()],
             holders: Holders::new(search.cloud.len()),
+            certain: vec![true; search.accepted().len()],
         };
         for (number, candidate) in (0_u32..).zip(search.accepted()) {
             borders.holders.add(number, &candidate.support);
@@ -205,7 +237,14 @@ impl Borders {
     }
 
     /// Notes that a surface has been accepted, the last: it closes borders of others and has its own.
-    pub fn settle(&mut self, surface: u32, candidate: &Candidate, border: &[BorderPoint]) {
+    pub fn settle(
+        &mut self,
+        surface: u32,
+        candidate: &Candidate,
+        border: &[BorderPoint],
+        is_certain: bool,
+    ) {
+        self.certain.push(is_certain);
         self.holders.add(surface, &candidate.support);
         for &index in &candidate.support {
             let state = self.state[index as usize];
@@ -230,6 +269,16 @@ impl Borders {
             State::Open(owner, _) => Some(owner),
             _ => None,
         }
+    }
+
+    /// Whether a new surface joins one that is certain by itself. Otherwise a free-form extrusion would
+    /// be covered with narrow cylinders, each next to the last.
+    pub fn is_anchored(&self, support: &[u32]) -> bool {
+        let is_certain = |&&index: &&u32| {
+            let mut holders = self.holders.of(index);
+            holders.any(|holder| self.certain[holder as usize])
+        };
+        support.iter().filter(is_certain).count() >= ANCHOR
     }
 
     /// How many free points a new surface would settle, and whether they show that it is there: on
@@ -290,6 +339,7 @@ mod tests {
         let borders = Borders {
             state: [open(0), open(1), vec![State::Settled; 5]].concat(),
             holders: Holders::new(15),
+            certain: vec![true; 2],
         };
         let support = |range: std::ops::Range<u32>| range.collect::<Vec<u32>>();
         assert_eq!(borders.evidence(&support(0..5)), None);

@@ -8,7 +8,7 @@ use super::family::Region;
 use super::noisy;
 use super::rounds::{Evidence, round};
 use super::solutions;
-use super::swept::swept_votes;
+use super::swept::{recurring_directions, swept_votes};
 use super::trace::Recorder;
 use super::vote::{Spaces, Vote};
 use crate::fit::{Cancelled, Observer, Search, Stage};
@@ -16,6 +16,8 @@ use crate::surface::SurfaceType;
 
 /// Width of a direction cell in radians.
 const ANGLE_STEP: f64 = 0.03;
+/// Cells of lengths where narrow faces are looked for, in spacings.
+const FINE: f64 = 0.05;
 /// Points that vote in the first round over a large cloud.
 const FIRST_VOTERS: u32 = 6000;
 /// Neighbourhoods that vote in one round. A face of a good size gets several votes, and a small
@@ -25,6 +27,8 @@ const BATCH: usize = 48;
 const BLOCK: usize = 8;
 /// Passes over the open borders: what one settles may be the border of a next.
 const BORDER_PASSES: usize = 3;
+/// Free points of the neighbourhoods that vote for thin faces.
+const BORDER_SIZES: [usize; 3] = [10, 16, 28];
 /// The families that closed forms start well; a torus costs far more to try.
 const QUICK: [SurfaceType; 4] = [
     SurfaceType::Plane,
@@ -45,8 +49,14 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         length_step: search.scale.spacing.max(4.0 * search.scale.tolerance),
         angle_step: ANGLE_STEP,
     };
+    // Narrow faces are narrower than the spacing, and so near each other.
+    let fine = Region {
+        length_step: (FINE * search.scale.spacing).max(4.0 * search.scale.tolerance),
+        ..region
+    };
     let mut work = Work {
         spaces: Spaces::new(region),
+        fine: Spaces::new(fine),
         recorder: Recorder::new(observer),
     };
     if search.scale.is_clean() {
@@ -74,6 +84,8 @@ pub struct Pass {
 pub struct Work<'o> {
     /// The parameter spaces.
     pub spaces: Spaces,
+    /// As `spaces`, with finer cells of lengths, for votes of exact rows of points.
+    fine: Spaces,
     /// Follows the search.
     pub recorder: Recorder<'o>,
 }
@@ -151,8 +163,9 @@ impl Work<'_> {
                 }
             })?;
         }
+        let mut borders = Borders::of(search);
         for _ in 0..BORDER_PASSES {
-            if self.borders(search) == 0 {
+            if self.borders(search, &mut borders) == 0 {
                 break;
             }
         }
@@ -226,12 +239,12 @@ impl Work<'_> {
 
     /// Rounds of votes by points on open borders and those still unexplained. Returns how many
     /// surfaces were accepted.
-    fn borders(&mut self, search: &mut Search<'_>) -> usize {
-        let mut borders = Borders::of(search);
+    fn borders(&mut self, search: &mut Search<'_>, borders: &mut Borders) -> usize {
         let axes = known_axes(search);
+        let directions = recurring_directions(search, self.spaces.directions());
         let radius = 4.0 * search.scale.spacing;
         let mut accepted = 0;
-        for size in [10, 16] {
+        for size in BORDER_SIZES {
             let seeds = (0..search.cloud.len() as u32).filter(|&index| borders.is_free(index));
             let mut votes = Vec::new();
             let mut near = Vec::new();
@@ -241,12 +254,21 @@ impl Work<'_> {
                     .tree
                     .nearest(point, size, radius, |i| borders.is_free(i), &mut near);
                 let patch: Vec<u32> = near.iter().map(|neighbour| neighbour.index).collect();
-                if patch.len() < 6 {
+                if !search.is_explained(seed) && size == BORDER_SIZES[0] {
+                    // A few points may be all that a small face has of its own.
+                    let around = search.graph.of(seed).iter().copied();
+                    let around: Vec<u32> = std::iter::once(seed).chain(around).collect();
+                    if around.iter().any(|&i| search.is_explained(i)) {
+                        swept_votes(search, &directions, seed, &around, &mut votes);
+                    }
+                }
+                // Away from all borders nothing is new since the passes before.
+                if patch.len() < 6 || !patch.iter().any(|&i| search.is_explained(i)) {
                     continue;
                 }
                 let before = votes.len();
-                ring_votes(search, &borders, &axes, seed, &patch, &mut votes);
-                swept_votes(search, seed, &patch, &mut votes);
+                ring_votes(search, borders, &axes, seed, &patch, &mut votes);
+                swept_votes(search, &directions, seed, &patch, &mut votes);
                 if votes.len() == before
                     && let Some(vote) = solutions::pure_vote(search, seed, &patch)
                 {
@@ -257,7 +279,9 @@ impl Work<'_> {
                     }
                 }
             }
-            accepted += round(search, self, &votes, &mut Evidence::Borders(&mut borders));
+            std::mem::swap(&mut self.spaces, &mut self.fine);
+            accepted += round(search, self, &votes, &mut Evidence::Borders(borders));
+            std::mem::swap(&mut self.spaces, &mut self.fine);
         }
         accepted
     }

@@ -38,6 +38,7 @@ mod noisy;
 pub mod persistence;
 mod profile;
 mod rounds;
+mod rows;
 mod solutions;
 pub mod space;
 mod swept;

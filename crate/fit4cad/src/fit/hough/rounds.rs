@@ -4,6 +4,7 @@
 use super::borders::{BorderPoint, Borders, border};
 use super::curve::is_curve;
 use super::find::Work;
+use super::rows::{Proof, proof};
 use super::vote::{Summit, Vote};
 use crate::cloud::Point;
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
@@ -28,33 +29,56 @@ impl Evidence<'_> {
     /// Whether a candidate has points enough beyond those that any surface of its family would
     /// hold, and evidence of its own.
     fn suffices(&self, search: &mut Search<'_>, contender: &Contender) -> bool {
-        let Contender {
-            candidate, border, ..
-        } = contender;
+        let candidate = &contender.candidate;
         let smallest = Parameters::count(search.parameters.smallest);
         let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
         let is_clean = search.scale.is_clean();
-        let (evident, shape): (usize, Vec<u32>) = match self {
+        // Small accidents fill the tolerance; true faces are far more exact.
+        let is_exact = !is_clean
+            || candidate.support.len() >= LARGE
+            || candidate.error <= ACCIDENT * search.scale.tolerance;
+        if candidate.support.len() < smallest.max(redundant) || !is_exact {
+            return false;
+        }
+        match self {
             Self::Own => {
                 let support = candidate.support.iter().copied();
                 let own: Vec<u32> = support
                     .filter(|&index| !search.is_explained(index))
                     .collect();
-                (own.len(), own)
+                // Within noise a band along the edge of a face lies on many surfaces.
+                let is_new = is_clean || 2 * own.len() >= candidate.support.len();
+                let needed = if is_clean { 3 } else { NOISY_OWN };
+                is_new
+                    && own.len() >= smallest.max(needed)
+                    && !is_curve(&search.points(&own), 2.0 * search.scale.tolerance)
+                    && (!is_clean || contender.is_wide(search))
+                    && search.thickness(candidate) >= THICKNESS
             }
             Self::Borders(borders) => {
-                let free = borders.evidence(&candidate.support).unwrap_or(0);
-                (free, candidate.support.clone())
+                let loose = contender.loose(search);
+                let closed = |share: f64| loose as f64 <= share * contender.border.len() as f64;
+                let two_sided = borders
+                    .evidence(&candidate.support)
+                    .is_some_and(|free| free >= 3);
+                match contender.proof {
+                    Proof::None => false,
+                    Proof::Chance => two_sided && closed(CLOSED),
+                    Proof::Weak => {
+                        let is_blend = candidate.surface.kind() == SurfaceType::Torus;
+                        candidate.support.len() >= ROWS_APART
+                            && two_sided
+                            && borders.is_anchored(&candidate.support)
+                            && closed(if is_blend { CLOSED } else { HALF_CLOSED })
+                            && (!is_blend || contender.is_tangent(search))
+                    }
+                    Proof::Certain => {
+                        let is_closed = !contender.border.is_empty() && closed(CLOSED);
+                        two_sided && closed(OPEN) || is_closed && search.own(candidate) >= 3
+                    }
+                }
             }
-        };
-        // Within noise a band along the edge of a face lies on many surfaces.
-        let is_new = is_clean || 2 * evident >= candidate.support.len();
-        is_new
-            && candidate.support.len() >= smallest.max(redundant)
-            && evident >= smallest.max(if is_clean { 3 } else { NOISY_OWN })
-            && !is_curve(&search.points(&shape), 2.0 * search.scale.tolerance)
-            && (!is_clean || !matches!(self, Self::Own) || contender.is_wide(search))
-            && search.thickness(candidate) >= THICKNESS
+        }
     }
 
     /// What a contender is worth. Among thin faces its points count by what they tell of the face:
@@ -63,9 +87,7 @@ impl Evidence<'_> {
         match self {
             Self::Own => search.worth(&contender.candidate),
             Self::Borders(_) => {
-                let is_loose = |point: &&BorderPoint| !search.is_explained(point.index);
-                let loose = contender.border.iter().filter(is_loose).count();
-                search.worth(&contender.candidate) - 3.0 * loose as f64
+                search.worth(&contender.candidate) - 3.0 * contender.loose(search) as f64
             }
         }
     }
@@ -76,9 +98,32 @@ struct Contender {
     worth: f64,
     candidate: Candidate,
     border: Vec<BorderPoint>,
+    proof: Proof,
 }
 
 impl Contender {
+    /// Points at which it would end in nowhere.
+    fn loose(&self, search: &Search<'_>) -> usize {
+        let is_loose = |point: &&BorderPoint| !search.is_explained(point.index);
+        self.border.iter().filter(is_loose).count()
+    }
+
+    /// Whether it runs on tangentially into the surfaces at its border, at most points that have any.
+    fn is_tangent(&self, search: &Search<'_>) -> bool {
+        let surface = &self.candidate.surface;
+        let (mut held, mut smooth) = (0u32, 0u32);
+        for point in &self.border {
+            let foot = search.point(point.index);
+            let normal = surface.normal(foot);
+            let Some(other) = search.holder(point.index) else {
+                continue;
+            };
+            held += 1;
+            smooth += u32::from(normal.cross(&other.surface.normal(foot)).norm() < TANGENT);
+        }
+        2 * smooth > held
+    }
+
     /// Whether its points inside are more than a single row: one row with the two beside it is on a
     /// cylinder or torus whatever it is. Three rows in one plane are no accident.
     fn is_wide(&self, search: &Search<'_>) -> bool {
@@ -102,6 +147,24 @@ impl Contender {
     }
 }
 
+/// Root mean square error, in tolerances, of a small patch on a surface by accident.
+const ACCIDENT: f64 = 0.3;
+/// Points above which a patch is no accident for its error alone.
+const LARGE: usize = 400;
+
+/// Share of the border that may end in nowhere, of a face whose rows are no proof: it must close a
+/// gap on all sides.
+const CLOSED: f64 = 0.3;
+/// As [`CLOSED`], where the rows prove a little: one side may be closed by a face yet to be found.
+const HALF_CLOSED: f64 = 0.8;
+
+/// As [`CLOSED`], where the rows are proof: free-form regions have small accidents of any shape.
+const OPEN: f64 = 0.6;
+/// Points that three rows must have: with fewer in a row, the rows themselves are chance.
+const ROWS_APART: usize = 12;
+/// Sine of the angle below which surfaces run on into each other.
+const TANGENT: f64 = 0.02;
+
 /// Points of its own that a surface of a noisy cloud needs: over fewer, noise bends a plane into
 /// anything.
 const NOISY_OWN: usize = 12;
@@ -120,7 +183,11 @@ pub fn round(
     votes: &[Vote],
     evidence: &mut Evidence<'_>,
 ) -> usize {
-    let share = search.parameters.persistence;
+    let share = match evidence {
+        Evidence::Own => search.parameters.persistence,
+        // The neighbourhoods of a narrow face are few, and next to a large one theirs are not heard.
+        Evidence::Borders(_) => 0.0,
+    };
     let mut summits: Vec<Summit> = Vec::new();
     for kind in SurfaceType::ALL {
         summits.extend(work.spaces.climb(kind, votes, share, 1, &mut work.recorder));
@@ -211,8 +278,13 @@ fn accept_winners(
         } else {
             Vec::new()
         };
+        let proof = match evidence {
+            Evidence::Own => Proof::Certain,
+            Evidence::Borders(_) => proof(search, &candidate),
+        };
         open.push(Contender {
             worth: 0.0,
+            proof,
             candidate,
             border,
         });
@@ -238,11 +310,12 @@ fn accept_winners(
         let Some(place) = open.iter().position(|other| other.candidate == winner) else {
             return accepted;
         };
-        let Contender { border, .. } = open.swap_remove(place);
+        let Contender { border, proof, .. } = open.swap_remove(place);
         if !search.has_fuzzy_border(&winner) {
             if let Evidence::Borders(borders) = evidence {
                 // Candidates are fewer than points, which u32 counts.
-                borders.settle(search.accepted().len() as u32, &winner, &border);
+                let place = search.accepted().len() as u32;
+                borders.settle(place, &winner, &border, proof == Proof::Certain);
             }
             work.recorder.accepted(&winner);
             search.accept(winner);

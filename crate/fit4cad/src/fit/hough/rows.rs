@@ -1,0 +1,167 @@
+//! How many rows of points a thin patch consists of, and what that proves.
+//!
+//! A mesher puts the points of a narrow face on rulings or rings. Two rulings are in a plane and
+//! three on a cylinder, two rings on a cone and three on a torus, whatever they are; more, or fewer
+//! on a simpler surface, are no accident.
+
+use super::axis::KnownAxis;
+use super::profile::{Place, apart};
+use crate::cloud::Point;
+use crate::fit::axes::axis_of;
+use crate::fit::{Candidate, Search};
+use crate::surface::{Surface, across};
+
+/// What the rows of a patch prove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Proof {
+    /// So few rows are on too many surfaces of the family.
+    None,
+    /// So few rows are on one surface of the family whatever they are: whether it is there, its
+    /// borders must tell.
+    Chance,
+    /// As [`Proof::Chance`], but one more row than the fewest.
+    Weak,
+    /// So many rows on one surface are no accident.
+    Certain,
+}
+
+/// More rows than this are not told apart.
+const MANY: usize = 5;
+/// Distinct places above which points are in no rows.
+const MOST_ROWS: usize = 40;
+/// Share of the points that rows must hold.
+const NEARLY_ALL: f64 = 0.85;
+
+/// What the rows of a candidate's points prove. O(points of the patch).
+pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
+    let apart = 4.0 * search.scale.tolerance;
+    let points = candidate.support.iter().map(|&index| search.point(index));
+    let rings = || -> usize {
+        axis_of(&candidate.surface).map_or(MANY, |(point, direction)| {
+            let axis = KnownAxis { point, direction };
+            let places = points.clone().map(|point| {
+                let place = axis.profile(point);
+                [place.radius, place.height]
+            });
+            count(places, apart)
+        })
+    };
+    match &candidate.surface {
+        Surface::Plane(plane) => {
+            let u = across(&plane.normal).into_inner();
+            let v = plane.normal.cross(&u);
+            let flat: Vec<Place> = points
+                .clone()
+                .map(|point| [point.coords.dot(&u), point.coords.dot(&v)])
+                .collect();
+            if is_two_lines(&flat, apart) {
+                Proof::Chance
+            } else {
+                Proof::Certain
+            }
+        }
+        Surface::Cylinder(cylinder) => {
+            let u = across(&cylinder.axis).into_inner();
+            let v = cylinder.axis.cross(&u);
+            let seen = |point: &Point| [point.coords.dot(&u), point.coords.dot(&v)];
+            let rulings = count(points.clone().map(seen), apart);
+            match (rulings, rings()) {
+                (..=2, _) | (_, ..=1) => Proof::None,
+                (3, 2) => Proof::None,
+                // Two pairs of rulings, mirror images, are always on one.
+                (3 | 4, _) => Proof::Weak,
+                (_, 2) => Proof::Chance,
+                _ => Proof::Certain,
+            }
+        }
+        Surface::Cone(_) => match rings() {
+            ..=1 => Proof::None,
+            2 => Proof::Chance,
+            _ => Proof::Certain,
+        },
+        // Smooth free-form regions pass for one that meets itself.
+        Surface::Torus(torus) if torus.major_radius < torus.minor_radius => Proof::Weak,
+        Surface::Torus(_) => match rings() {
+            ..=2 => Proof::None,
+            3 | 4 => Proof::Weak,
+            _ => Proof::Certain,
+        },
+        Surface::Sphere(_) => Proof::Certain,
+    }
+}
+
+/// Number of places, the fullest first, that hold nearly all points, up to [`MANY`]: a few stray
+/// points make no row.
+fn count(places: impl Iterator<Item = Place>, tolerance: f64) -> usize {
+    let mut rows: Vec<(Place, usize)> = Vec::new();
+    let mut all = 0;
+    for place in places {
+        all += 1;
+        let known = rows
+            .iter()
+            .position(|(row, _)| apart(*row, place) <= tolerance);
+        match known {
+            Some(row) => rows[row].1 += 1,
+            None if rows.len() < MOST_ROWS => rows.push((place, 1)),
+            None => return MANY,
+        }
+    }
+    let mut members: Vec<usize> = rows.into_iter().map(|(_, members)| members).collect();
+    members.sort_unstable_by_key(|&members| std::cmp::Reverse(members));
+    let mut held = 0;
+    let needed = members.iter().position(|members| {
+        held += members;
+        held as f64 >= NEARLY_ALL * all as f64
+    });
+    needed.map_or(0, |last| last + 1).min(MANY)
+}
+
+/// Whether all places lie on two lines. One of the lines holds two of any three places.
+fn is_two_lines(places: &[Place], tolerance: f64) -> bool {
+    let [a, b, c] = match places {
+        [a, .., c] if places.len() > 2 => [*a, places[places.len() / 2], *c],
+        _ => return true,
+    };
+    [(a, b), (b, c), (a, c)].into_iter().any(|(p, q)| {
+        let off: Vec<Place> = places
+            .iter()
+            .copied()
+            .filter(|&place| distance(p, q, place) > tolerance)
+            .collect();
+        match off[..] {
+            [] | [_] => true,
+            [first, .., last] => off
+                .iter()
+                .all(|&place| distance(first, last, place) <= tolerance),
+        }
+    })
+}
+
+/// Distance of a place from the line through two others.
+fn distance(a: Place, b: Place, place: Place) -> f64 {
+    super::profile::Curve::Line(a, b).distance(place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_of_two_lines_in_any_order_are_two_lines_and_a_third_is_too_many() {
+        let line = |i: u32, row: u32| [f64::from(i) + 0.3 * f64::from(row), f64::from(row)];
+        let mut places: Vec<Place> = (0..12).map(|i| line(i, i % 2)).collect();
+        assert!(is_two_lines(&places, 1e-9));
+        places.push(line(3, 2));
+        places.push(line(5, 2));
+        assert!(!is_two_lines(&places, 1e-9));
+    }
+
+    #[test]
+    fn places_are_counted_once() {
+        let places = [[0.0, 0.0], [1.0, 0.0], [1.0, 1e-12], [0.0, 0.0]];
+        assert_eq!(count(places.into_iter(), 1e-9), 2);
+        let rows = (0..60).map(|i| [f64::from(i % 3), 0.0]);
+        let stray = (0..4).map(|i| [0.5, f64::from(i)]);
+        assert_eq!(count(rows.chain(stray), 1e-9), 3);
+    }
+}

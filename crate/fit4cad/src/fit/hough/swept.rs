@@ -1,0 +1,167 @@
+//! Votes of thin faces, from the directions and axes of the surfaces beside them.
+//!
+//! Three rulings lie on a cylinder, whatever they are, and three rings on a torus. Which of these
+//! are faces, the borders tell: a face ends where its neighbours do.
+
+use super::accumulator::{Accumulator, Ballot};
+use super::axis::KnownAxis;
+use super::directions::DirectionSpace;
+use super::family::direction;
+use super::profile::{self, Curve, Place};
+use super::solutions::vote;
+use super::vote::Vote;
+use crate::cloud::{Direction, Point, Vector};
+use crate::fit::Search;
+use crate::fit::axes::axis_of;
+use crate::surface::{Cylinder, Plane, Surface, across};
+
+/// Sine of the angle below which two directions are one.
+const SAME: f64 = 1e-4;
+/// Most surfaces beside a neighbourhood whose directions are tried.
+const BESIDE: usize = 6;
+
+/// Most directions of the whole cloud that are tried everywhere.
+const RECURRING: usize = 6;
+/// Share of the most persistent direction's votes that makes one recurring.
+const SHARE: f64 = 0.02;
+
+/// The directions that normals and axes of the accepted surfaces have in common: maxima of their
+/// accumulator on the Gauss sphere, where a surface has as many votes as points. Narrow faces run
+/// along one of them, even where no neighbour tells which.
+pub fn recurring_directions(search: &Search<'_>, space: &DirectionSpace) -> Vec<Direction> {
+    let accepted = search.accepted();
+    let ballots = (0_u32..).zip(accepted).filter_map(|(voter, candidate)| {
+        let direction = direction(&candidate.surface)?;
+        Some(Ballot {
+            cell: space.cell(&direction)?,
+            voter,
+            weight: candidate.support.len() as f32,
+        })
+    });
+    let accumulator = Accumulator::count(ballots.collect());
+    let diagram = accumulator.maxima(space);
+    diagram
+        .significant(SHARE)
+        .take(RECURRING)
+        .filter_map(|peak| {
+            let voters = accumulator.voters_of(space, &diagram, peak);
+            // The largest surface knows its direction best.
+            let best = voters
+                .into_iter()
+                .max_by_key(|&voter| accepted[voter as usize].support.len())?;
+            direction(&accepted[best as usize].surface)
+        })
+        .collect()
+}
+
+/// The votes of a neighbourhood for faces extruded along, or turned about, what the surfaces beside
+/// it have in common, normals and axes, and the edges in which they meet, or along what recurs in the
+/// whole cloud. O(surfaces² × points).
+pub fn swept_votes(
+    search: &Search<'_>,
+    recurring: &[Direction],
+    index: u32,
+    patch: &[u32],
+    found: &mut Vec<Vote>,
+) {
+    let mut beside = search.surfaces_beside(patch);
+    beside.truncate(BESIDE);
+    let points = search.points(patch);
+    let mut surfaces = Vec::new();
+    for direction in directions(&beside, recurring) {
+        extruded(&points, &direction, search.scale.tolerance, &mut surfaces);
+    }
+    let mut axes: Vec<KnownAxis> = Vec::new();
+    for (point, direction) in beside.iter().filter_map(axis_of) {
+        let known = axes.iter().any(|axis| {
+            axis.direction.cross(&direction).norm() < SAME
+                && axis.profile(&point).radius < 20.0 * search.scale.tolerance
+        });
+        if !known {
+            axes.push(KnownAxis { point, direction });
+        }
+    }
+    for axis in &axes {
+        turned(&points, axis, search.scale.tolerance, &mut surfaces);
+    }
+    surfaces.retain(|surface| search.is_plausible(surface));
+    found.extend(
+        surfaces
+            .into_iter()
+            .map(|surface| vote(search, index, surface)),
+    );
+}
+
+/// Directions along which a face between these surfaces may be extruded.
+fn directions(beside: &[Surface], recurring: &[Direction]) -> Vec<Direction> {
+    let mut found: Vec<Direction> = recurring.to_vec();
+    let mut add = |direction: Vector| {
+        if let Some(direction) = Direction::try_new(direction, SAME)
+            && found
+                .iter()
+                .all(|other| other.cross(&direction).norm() >= SAME)
+        {
+            found.push(direction);
+        }
+    };
+    let normals: Vec<Direction> = beside
+        .iter()
+        .filter_map(|surface| match surface {
+            Surface::Plane(plane) => Some(plane.normal),
+            _ => None,
+        })
+        .collect();
+    for (_, axis) in beside.iter().filter_map(axis_of) {
+        add(axis.into_inner());
+    }
+    for (j, normal) in normals.iter().enumerate() {
+        add(normal.into_inner());
+        for other in &normals[..j] {
+            add(normal.cross(other));
+        }
+    }
+    found
+}
+
+/// Planes and cylinders along a direction through the first of some points.
+fn extruded(points: &[Point], direction: &Direction, tolerance: f64, found: &mut Vec<Surface>) {
+    let Some(origin) = points.first() else {
+        return;
+    };
+    let u = across(direction).into_inner();
+    let v = direction.cross(&u);
+    let places: Vec<Place> = points
+        .iter()
+        .map(|point| [(point - origin).dot(&u), (point - origin).dot(&v)])
+        .collect();
+    let at = |place: Place| origin + u * place[0] + v * place[1];
+    found.extend(
+        profile::curves(&places, tolerance)
+            .into_iter()
+            .map(|curve| match curve {
+                Curve::Line(a, b) => {
+                    Surface::Plane(Plane::new(at(a), (at(b) - at(a)).cross(direction)))
+                }
+                Curve::Circle(centre, radius) => {
+                    Surface::Cylinder(Cylinder::new(at(centre), direction.into_inner(), radius))
+                }
+            }),
+    );
+}
+
+/// Surfaces of revolution about an axis through the first of some points.
+fn turned(points: &[Point], axis: &KnownAxis, tolerance: f64, found: &mut Vec<Surface>) {
+    let places: Vec<Place> = points
+        .iter()
+        .map(|point| {
+            let place = axis.profile(point);
+            [place.radius, place.height]
+        })
+        .collect();
+    let curves = profile::curves(&places, tolerance);
+    found.extend(
+        curves
+            .into_iter()
+            .map(|curve| axis.turned(&curve, tolerance)),
+    );
+}
