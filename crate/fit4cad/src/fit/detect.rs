@@ -32,15 +32,18 @@ pub enum Pass {
 /// neighbours are not tried in the same round: most of the time would go there.
 pub fn faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     let order = shuffled(search);
-    round(search, Pass::Faces, &order, 16, observer)?;
-    round(search, Pass::Faces, &order, 6, observer)
+    for block in [16, 6] {
+        let patience = Patience::SHORT;
+        round(search, Pass::Faces, &order, block, patience, observer)?;
+    }
+    Ok(())
 }
 
 /// Finds what must lie between the borders of the faces found so far.
 pub fn borders(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     search.reopen_borders();
     let order = shuffled(search);
-    round(search, Pass::Borders, &order, 6, observer)
+    round(search, Pass::Borders, &order, 6, Patience::LONG, observer)
 }
 
 /// The points in random order.
@@ -55,10 +58,12 @@ fn round(
     pass: Pass,
     order: &[u32],
     block: usize,
+    patience: Patience,
     observer: &mut dyn Observer,
 ) -> Result<(), Cancelled> {
     let mut blocked = vec![false; order.len()];
     let mut failures = 0;
+    let mut found = 0;
     for (place, &seed) in order.iter().enumerate() {
         if place % 256 == 0 {
             observer.progress(Stage::Find, place as f64 / order.len() as f64)?;
@@ -67,13 +72,16 @@ fn round(
             continue;
         }
         match at(search, pass, seed) {
-            Some(candidate) => keep(search, candidate, observer),
+            Some(candidate) => {
+                keep(search, candidate, observer);
+                found += 1;
+            }
             None => {
                 for index in search.unexplained_near(seed, block) {
                     blocked[index as usize] = true;
                 }
                 failures += 1;
-                if failures > MOST_FAILURES {
+                if failures > patience.first + patience.each * found {
                     break;
                 }
             }
@@ -82,8 +90,25 @@ fn round(
     Ok(())
 }
 
-/// Failed seeds after which a round ends.
-const MOST_FAILURES: usize = 600;
+/// How many failed seeds a round bears.
+#[derive(Debug, Clone, Copy)]
+struct Patience {
+    /// Before it finds anything.
+    first: usize,
+    /// More for each surface found.
+    each: usize,
+}
+
+impl Patience {
+    /// For borders, of which there are few.
+    const LONG: Self = Self {
+        first: 600,
+        each: 0,
+    };
+    /// For what other searches left: thin faces next to each other, or a free-form region, which
+    /// would take most of the time.
+    const SHORT: Self = Self { first: 20, each: 4 };
+}
 
 /// Accepts a candidate, and tells so.
 pub(super) fn keep(search: &mut Search<'_>, candidate: Candidate, observer: &mut dyn Observer) {

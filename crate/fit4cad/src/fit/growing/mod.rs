@@ -60,6 +60,10 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         observer.progress(Stage::Find, 0.6 + 0.3 * place as f64 / left.len() as f64)?;
         ransac::split(search, region, observer)?;
     }
+    // Thin faces side by side leave no minimal set of their own; whole neighbourhoods tell them.
+    if search.scale.is_clean() {
+        detect::faces(search, observer)?;
+    }
     Ok(())
 }
 
