@@ -7,7 +7,7 @@
 //! [`Search::accept`] keeps the winner); then [`stages`] prune, label and split into patches.
 //!
 //! ```text
-//! cloud → Search → hough::find or growing::find → prune → label → patches → Segmentation
+//! cloud → Search → hough::find or growing::find → specks → prune → label → patches → Segmentation
 //!                  local::hypotheses → grow → best → accept
 //! ```
 
@@ -22,6 +22,7 @@ pub mod progress;
 pub mod quadric;
 pub mod scale;
 pub mod search;
+pub mod specks;
 pub mod stages;
 pub mod trace;
 
@@ -107,12 +108,13 @@ pub fn find(
     observer: &mut dyn Observer,
 ) -> Result<(), Cancelled> {
     match method {
-        Method::Hough => hough::find(search, observer),
+        Method::Hough => hough::find(search, observer)?,
         Method::Growing => {
             growing::find(search, observer)?;
-            detect::borders(search, observer)
+            detect::borders(search, observer)?;
         }
     }
+    specks::specks(search, observer)
 }
 
 #[cfg(test)]
