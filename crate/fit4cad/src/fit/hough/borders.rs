@@ -12,7 +12,7 @@ use nalgebra::{Matrix2, Vector2};
 use crate::cloud::neighbours::Neighbour;
 use crate::cloud::{Direction, Vector};
 use crate::fit::{Candidate, Search};
-use crate::surface::across;
+use crate::surface::{Surface, across};
 
 /// Angle without neighbours, in radians, above which a point is on the border of its surface. On a
 /// straight border it is π; inside a face of evenly spread points it stays below 1.5.
@@ -39,11 +39,23 @@ pub struct BorderPoint {
 
 /// The points of a patch around which its other points leave a gap. O(points of the patch).
 pub fn border(search: &Search<'_>, candidate: &Candidate) -> Vec<BorderPoint> {
+    border_within(search, candidate, |index| {
+        candidate.support.binary_search(&index).is_ok()
+    })
+}
+
+/// As [`border`], where it is known which points are the patch's.
+fn border_within(
+    search: &Search<'_>,
+    candidate: &Candidate,
+    is_inside: impl Fn(u32) -> bool,
+) -> Vec<BorderPoint> {
     let (mut near, mut steps) = (Vec::new(), Vec::new());
     let points = candidate.support.iter();
     points
         .filter_map(|&index| {
-            let along = ends(search, candidate, index, &mut near, &mut steps)?;
+            let surface = &candidate.surface;
+            let along = ends(search, surface, &is_inside, index, &mut near, &mut steps)?;
             Some(BorderPoint { index, along })
         })
         .collect()
@@ -60,21 +72,21 @@ struct Step {
 /// The neighbours of a point along the border of a patch; `None` for a point inside.
 fn ends(
     search: &Search<'_>,
-    candidate: &Candidate,
+    surface: &Surface,
+    is_inside: impl Fn(u32) -> bool,
     index: u32,
     near: &mut Vec<Neighbour>,
     steps: &mut Vec<Step>,
 ) -> Option<[u32; 2]> {
-    let is_inside = |i: u32| candidate.support.binary_search(&i).is_ok();
     if search.graph.of(index).iter().all(|&i| is_inside(i)) {
         return None;
     }
     let point = search.point(index);
-    let normal = candidate.surface.normal(point);
+    let normal = surface.normal(point);
     let radius = REACH * search.scale.spacing;
     search
         .tree
-        .nearest(point, AROUND + 1, radius, is_inside, near);
+        .nearest(point, AROUND + 1, radius, &is_inside, near);
     steps.clear();
     let others = near
         .iter()
@@ -147,6 +159,8 @@ pub struct Borders {
     holders: Holders,
     /// Whether each accepted surface is certain by itself, without its neighbours.
     certain: Vec<bool>,
+    /// How many surfaces had been accepted when the last to hold each point was.
+    since: Vec<u32>,
 }
 
 /// A point's place.
@@ -206,12 +220,15 @@ impl Borders {
             state: vec![State::Unexplained; search.cloud.len()],
             holders: Holders::new(search.cloud.len()),
             certain: vec![true; search.accepted().len()],
+            since: vec![0; search.cloud.len()],
         };
         for (number, candidate) in (0_u32..).zip(search.accepted()) {
             borders.holders.add(number, &candidate.support);
         }
         for (number, candidate) in (0_u32..).zip(search.accepted()) {
-            let border = border(search, candidate);
+            let holders = &borders.holders;
+            let is_inside = |index| holders.of(index).any(|holder| holder == number);
+            let border = border_within(search, candidate, is_inside);
             borders.open(number, candidate, &border);
         }
         borders
@@ -247,6 +264,7 @@ impl Borders {
         self.certain.push(is_certain);
         self.holders.add(surface, &candidate.support);
         for &index in &candidate.support {
+            self.since[index as usize] = surface + 1;
             let state = self.state[index as usize];
             self.state[index as usize] = match state {
                 State::Open(owner, along) if self.is_open(owner, &BorderPoint { index, along }) => {
@@ -261,6 +279,12 @@ impl Borders {
     /// Whether a point is unexplained or on an open border.
     pub fn is_free(&self, index: u32) -> bool {
         self.state[index as usize] != State::Settled
+    }
+
+    /// Whether one of some points has been held anew since so many surfaces were accepted.
+    pub fn is_new(&self, points: &[u32], accepted: usize) -> bool {
+        let mut points = points.iter();
+        points.any(|&index| self.since[index as usize] as usize > accepted)
     }
 
     /// The position, among the accepted, of the surface whose open border a point is on.
@@ -340,6 +364,7 @@ mod tests {
             state: [open(0), open(1), vec![State::Settled; 5]].concat(),
             holders: Holders::new(15),
             certain: vec![true; 2],
+            since: vec![0; 15],
         };
         let support = |range: std::ops::Range<u32>| range.collect::<Vec<u32>>();
         assert_eq!(borders.evidence(&support(0..5)), None);

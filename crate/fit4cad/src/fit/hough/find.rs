@@ -164,8 +164,9 @@ impl Work<'_> {
             })?;
         }
         let mut borders = Borders::of(search);
+        let mut looked = [None; BORDER_SIZES.len()];
         for _ in 0..BORDER_PASSES {
-            if self.borders(search, &mut borders) == 0 {
+            if self.borders(search, &mut borders, &mut looked) == 0 {
                 break;
             }
         }
@@ -238,17 +239,33 @@ impl Work<'_> {
     }
 
     /// Rounds of votes by points on open borders and those still unexplained. Returns how many
-    /// surfaces were accepted.
-    fn borders(&mut self, search: &mut Search<'_>, borders: &mut Borders) -> usize {
+    /// surfaces were accepted. O(free points).
+    ///
+    /// `looked` is how many had been when each size was looked at last. Where none has been accepted
+    /// since, nothing is new, and the points do not vote again: clouds with large free-form regions
+    /// have thousands of such points.
+    fn borders(
+        &mut self,
+        search: &mut Search<'_>,
+        borders: &mut Borders,
+        looked: &mut [Option<usize>],
+    ) -> usize {
         let axes = known_axes(search);
         let directions = recurring_directions(search, self.spaces.directions());
         let radius = 4.0 * search.scale.spacing;
         let mut accepted = 0;
-        for size in BORDER_SIZES {
+        for (size, looked) in BORDER_SIZES.into_iter().zip(looked) {
+            let before = looked.replace(search.accepted().len());
+            let is_old = |borders: &Borders, points: &[u32]| {
+                before.is_some_and(|before| !borders.is_new(points, before))
+            };
             let seeds = (0..search.cloud.len() as u32).filter(|&index| borders.is_free(index));
             let mut votes = Vec::new();
             let mut near = Vec::new();
             for seed in seeds {
+                if is_old(borders, search.graph.of(seed)) {
+                    continue;
+                }
                 let point = search.point(seed);
                 search
                     .tree
