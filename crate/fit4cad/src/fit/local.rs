@@ -301,3 +301,6 @@ pub fn residual(patch: &[Point]) -> Option<f64> {
         })
         .min_by(f64::total_cmp)
 }
+
+#[cfg(test)]
+mod tests;

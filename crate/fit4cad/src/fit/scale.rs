@@ -154,3 +154,6 @@ pub(crate) fn quantile(values: &mut [f64], share: f64) -> f64 {
     let place = ((values.len() - 1) as f64 * share.clamp(0.0, 1.0)).round() as usize;
     *values.select_nth_unstable_by(place, f64::total_cmp).1
 }
+
+#[cfg(test)]
+mod tests;

@@ -460,3 +460,6 @@ const FATTEST: f64 = 0.1;
 const NOISE_SPREAD: f64 = 3.0;
 /// Share of the most worth that counts as nearly as much.
 const NEARLY: f64 = 0.97;
+
+#[cfg(test)]
+mod tests;

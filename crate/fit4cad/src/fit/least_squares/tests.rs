@@ -1,5 +1,7 @@
 //! Fits against exact surfaces and against references made by hand.
 
+mod reference;
+
 use super::*;
 use crate::surface::{Cone, Sphere, Torus};
 
