@@ -91,6 +91,8 @@ export type Entrance = "shown" | "quiet" | "opening";
 
 /** Puts a model on the page that was made here. */
 export function addMade(name: string, origin: Origin, files: readonly ModelFile[], how: Entrance): void {
+  // It makes room for what was brought while it was being made, too.
+  if (how === "opening" && models.value.length > 0) return;
   made.value = new Map(made.value).set(name, { origin, files, fits: {} });
   if (how === "opening") opening = name;
   assemble(lastGrouping);
