@@ -1,7 +1,9 @@
 //! The state of a search for surfaces: the cloud with its neighbours and scale, what has been
 //! accepted and what that explains, and the three steps every method takes (grow, compare, accept).
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+mod outline;
+
+use std::f64::consts::FRAC_PI_2;
 
 use super::least_squares::{self, Loss, degrees_of_freedom};
 use super::{Candidate, Parameters, Scale};
@@ -153,73 +155,6 @@ impl<'a> Search<'a> {
             .iter()
             .map(|&holder| self.accepted[holder as usize].surface)
             .collect()
-    }
-
-    /// Opens the points at which a surface ends and no other takes over. They have one label, and
-    /// their neighbours on its surface leave a gap around them: there a face is missing that has no
-    /// points of its own, as thin walls, chamfers and countersinks have not. O(n).
-    pub fn reopen_borders(&mut self) {
-        /// Widest angle between neighbours inside a face: well above the ⅓ π of an even sampling,
-        /// below the π of a straight edge.
-        const GAP: f64 = 1.9;
-        for index in (0u32..).take(self.cloud.len()) {
-            if self.claims[index as usize] == 1 && self.gap(index) > GAP {
-                self.open[index as usize] = true;
-            }
-        }
-    }
-
-    /// The widest angle, in the tangent plane, between neighbours of a point on its surface; zero
-    /// for a point all of whose neighbours are.
-    fn gap(&self, index: u32) -> f64 {
-        let holder = self.holder[index as usize];
-        let candidate = &self.accepted[holder as usize];
-        let near = self.graph.of(index);
-        let on = |&i: &u32| candidate.support.binary_search(&i).is_ok();
-        if near.iter().all(on) {
-            return 0.0;
-        }
-        let point = self.point(index);
-        let normal = candidate.surface.normal(point);
-        let first = crate::surface::across(&normal);
-        let second = normal.cross(&first);
-        let mut angles: Vec<f64> = near
-            .iter()
-            .filter(|i| on(i))
-            .map(|&i| {
-                let step = self.point(i) - point;
-                step.dot(&second).atan2(step.dot(&first))
-            })
-            .collect();
-        angles.sort_by(f64::total_cmp);
-        let Some(last) = angles.last() else {
-            return TAU;
-        };
-        let mut before = last - TAU;
-        let mut widest = 0f64;
-        for &angle in &angles {
-            widest = widest.max(angle - before);
-            before = angle;
-        }
-        widest
-    }
-
-    /// Mean number of the eight nearest neighbours of a candidate's points that are its points too:
-    /// near 8 for a wide patch, 5 for two rows, 2 for a single curve.
-    pub fn thickness(&mut self, candidate: &Candidate) -> f64 {
-        self.marks.clear();
-        for &index in &candidate.support {
-            self.marks.insert(index);
-        }
-        let near = |&i: &u32| {
-            self.graph
-                .of(i)
-                .iter()
-                .take(8)
-                .filter(|&&j| self.marks.contains(j))
-        };
-        let links: usize = candidate.support.iter().map(|i| near(i).count()).sum();
-        links as f64 / candidate.support.len().max(1) as f64
     }
 
     /// The up to `count` unexplained points nearest to a point, itself first if unexplained.
@@ -394,42 +329,6 @@ impl<'a> Search<'a> {
         } else {
             kind as usize
         }
-    }
-
-    /// The fuzzy-border test: whether the points just outside a patch nearly lie on its surface,
-    /// as they do around an accidental fit, which fades out, and not around a true face, which
-    /// ends sharply even where it runs on tangentially into a fillet.
-    pub fn has_fuzzy_border(&mut self, candidate: &Candidate) -> bool {
-        const NEAR: f64 = 12.0;
-        // So many exact points on one surface are no accident.
-        const BEYOND_DOUBT: usize = 400;
-        const EXACT: f64 = 0.05;
-        const GOOD: f64 = 0.2;
-        // An accidental fit fills the tolerance; a face much more exact than that is none, even
-        // where the next face goes on from it within the tolerance.
-        let is_exact = candidate.error < EXACT * self.scale.tolerance
-            || candidate.support.len() >= BEYOND_DOUBT
-                && candidate.error < GOOD * self.scale.tolerance;
-        if is_exact || !self.scale.is_clean() {
-            return false;
-        }
-        let limit = NEAR * self.scale.tolerance;
-        self.marks.clear();
-        for &index in &candidate.support {
-            self.marks.insert(index);
-        }
-        let (mut outside, mut near) = (0u32, 0u32);
-        for &index in &candidate.support {
-            for &neighbour in self.graph.of(index).iter().take(8) {
-                if self.marks.insert(neighbour) {
-                    outside += 1;
-                    if candidate.surface.distance(self.point(neighbour)) <= limit {
-                        near += 1;
-                    }
-                }
-            }
-        }
-        f64::from(near) > self.parameters.fuzzy_border * f64::from(outside)
     }
 
     /// Keeps a candidate; its points are explained from now on.

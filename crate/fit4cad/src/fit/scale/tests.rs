@@ -48,6 +48,19 @@ fn a_clean_cloud_has_the_finest_tolerance() {
     }
 }
 
+/// Steps of 1/400 leave points up to 6e-5 of the diagonal off their sphere, most of them within 4e-5.
+/// The sphere is a little smaller, lest its heights be such steps already.
+#[test]
+fn rounded_coordinates_have_a_larger_tolerance_and_are_clean_all_the_same() {
+    let rounded = ball()
+        .iter()
+        .map(|p| p.map(|x| (x * 0.987 * 400.0).round() / 400.0))
+        .collect();
+    let scale = measured(rounded, 0.0);
+    assert_eq!(scale.tolerance, LEVELS[2] * scale.diagonal);
+    assert!(scale.is_clean(), "{scale:?}");
+}
+
 #[test]
 fn the_noise_of_a_shaken_cloud_is_estimated_within_a_fifth() {
     for (points, sigma) in [

@@ -1,5 +1,7 @@
 //! The steps of a search on clouds whose faces are known.
 
+use std::f64::consts::TAU;
+
 use super::*;
 use crate::cloud::Vector;
 use crate::surface::{Cylinder, Plane, Sphere};
