@@ -28,6 +28,12 @@ const ALONG: f64 = 0.4;
 /// Points in which surfaces must meet to be neighbours.
 const ANCHOR: usize = 3;
 
+/// Root mean square error of a thin face, in tolerances: those of the training clouds stay below,
+/// and narrow cylinders over free-form regions fill the tolerance.
+const EXACT: f64 = 0.03;
+/// As [`EXACT`], in errors of the cloud's median face, where that is more.
+const AS_EXACT: f64 = 10.0;
+
 /// A point on the border of a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BorderPoint {
@@ -161,6 +167,8 @@ pub struct Borders {
     certain: Vec<bool>,
     /// How many surfaces had been accepted when the last to hold each point was.
     since: Vec<u32>,
+    /// Largest root mean square error of a thin face, in the units of the cloud.
+    exact: f64,
 }
 
 /// A point's place.
@@ -221,6 +229,7 @@ impl Borders {
             holders: Holders::new(search.cloud.len()),
             certain: vec![true; search.accepted().len()],
             since: vec![0; search.cloud.len()],
+            exact: exact(search),
         };
         for (number, candidate) in (0_u32..).zip(search.accepted()) {
             borders.holders.add(number, &candidate.support);
@@ -295,6 +304,11 @@ impl Borders {
         }
     }
 
+    /// Whether a candidate is as exact as the cloud's faces.
+    pub fn is_exact(&self, candidate: &Candidate) -> bool {
+        candidate.error <= self.exact
+    }
+
     /// Whether a new surface joins one that is certain by itself. Otherwise a free-form extrusion would
     /// be covered with narrow cylinders, each next to the last.
     pub fn is_anchored(&self, support: &[u32]) -> bool {
@@ -324,6 +338,15 @@ impl Borders {
         let mostly_free = 5 * total >= 3 * support.len();
         (two_sided && mostly_free).then_some(total)
     }
+}
+
+/// How exact a thin face of a cloud must be. Of the narrow pieces that pass within the tolerance
+/// through a few rows of points, true faces are as exact as all the others of their cloud.
+fn exact(search: &Search<'_>) -> f64 {
+    let mut errors: Vec<f64> = search.accepted().iter().map(|face| face.error).collect();
+    errors.sort_unstable_by(f64::total_cmp);
+    let median = errors.get(errors.len() / 2).copied().unwrap_or(0.0);
+    (EXACT * search.scale.tolerance).max(AS_EXACT * median)
 }
 
 #[cfg(test)]
@@ -365,6 +388,7 @@ mod tests {
             holders: Holders::new(15),
             certain: vec![true; 2],
             since: vec![0; 15],
+            exact: 0.0,
         };
         let support = |range: std::ops::Range<u32>| range.collect::<Vec<u32>>();
         assert_eq!(borders.evidence(&support(0..5)), None);

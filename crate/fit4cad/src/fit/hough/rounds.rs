@@ -56,6 +56,9 @@ impl Evidence<'_> {
                     && search.thickness(candidate) >= THICKNESS
             }
             Self::Borders(borders) => {
+                if !borders.is_exact(candidate) {
+                    return false;
+                }
                 let loose = contender.loose(search);
                 let closed = |share: f64| loose as f64 <= share * contender.border.len() as f64;
                 let two_sided = borders
