@@ -26,8 +26,11 @@ fn upright(x: f64) -> Surface {
     Surface::Plane(Plane::new(Point::new(x, 0.0, 0.0), Vector::x()))
 }
 
+/// Which points a surface is grown from.
+type IsSeed = fn(&Point) -> bool;
+
 /// Runs the stages on surfaces grown from the points on them that `is_seed` picks.
-fn finished(points: &[Point], found: &[(Surface, fn(&Point) -> bool)]) -> Vec<Primitive> {
+fn finished(points: &[Point], found: &[(Surface, IsSeed)]) -> Vec<Primitive> {
     let cloud = Cloud::new(points.to_vec());
     let parameters = Parameters {
         // Parts of a few points leave little to estimate it from.
