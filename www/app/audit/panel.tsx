@@ -110,13 +110,14 @@ function Running(): JSX.Element | null {
 
 function Nothing(): JSX.Element {
   const any = audited.value.some(({ outcome }) => outcome !== undefined);
+  const every = audited.value.every(({ outcome }) => outcome !== undefined);
   return (
     <p class="empty">
       {found.value.length > 0 ? (
         "No findings of this severity."
       ) : any ? (
         <>
-          <Icon name="check" /> Nothing to report: points, parametric and implicit forms agree in every model.
+          <Icon name="check" /> Nothing to report: points, parametric and implicit forms agree in {every ? "every model" : "the models audited so far"}.
         </>
       ) : (
         "There is no model to audit."

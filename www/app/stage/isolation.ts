@@ -3,7 +3,7 @@
 import { effect, signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
 import { frame } from "./framing";
-import { selectedModel, selectedPrimitive, type PrimitiveRef } from "../state/selection";
+import { rivalMethod, selectedMethod, selectedModel, selectedPrimitive, type PrimitiveRef } from "../state/selection";
 
 /** The view on the page, once it is there. */
 export const currentView = signal<PointView | undefined>(undefined);
@@ -14,8 +14,10 @@ export const isolated = signal(false);
 export const hidden = signal<readonly PrimitiveRef[]>([]);
 
 effect(() => {
-  // Places mean something else in another model.
+  // Places mean something else in another model or submission.
   void selectedModel.value;
+  void selectedMethod.value;
+  void rivalMethod.value;
   hidden.value = [];
 });
 

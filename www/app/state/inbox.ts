@@ -94,7 +94,8 @@ export function addMade(name: string, origin: Origin, files: readonly ModelFile[
   // It makes room for what was brought while it was being made, too.
   if (how === "opening" && models.value.length > 0) return;
   made.value = new Map(made.value).set(name, { origin, files, fits: {} });
-  if (how === "opening") opening = name;
+  // Made again by the reader, it is theirs to keep.
+  opening = how === "opening" ? name : opening === name ? undefined : opening;
   assemble(lastGrouping);
   if (how !== "quiet") selectModel(name);
 }
@@ -136,6 +137,7 @@ export function remove(id: string): void {
   const paths = new Set(entry.source.files.map(({ path }) => path));
   brought.value = new Map([...brought.value].filter(([path]) => !paths.has(path)));
   made.value = new Map([...made.value].filter(([name]) => name !== id));
+  if (opening === id) opening = undefined;
   lastGrouping = { ...lastGrouping, models: lastGrouping.models.filter(({ name }) => name !== id) };
   assemble(lastGrouping);
 }
@@ -147,6 +149,7 @@ export function clear(): void {
     overrides.value = {};
     refused.value = new Map();
     made.value = new Map();
+    opening = undefined;
     lastGrouping = NOTHING;
     assemble(NOTHING);
   });

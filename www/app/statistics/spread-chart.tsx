@@ -104,10 +104,10 @@ function draw(frame: Frame, { axis, tick }: Figure, values: readonly Value[], ro
 
 const BINS = 24;
 
-/** From nothing to the largest value, whatever that is. */
+/** From nothing to just above the largest value, which a bin that ends at it would leave out. */
 function thresholds(values: readonly Value[]): number[] {
   const most = values.reduce((largest, { value }) => Math.max(largest, value), 0) || 1;
-  return Array.from({ length: BINS + 1 }, (_, bin) => (most * bin) / BINS);
+  return Array.from({ length: BINS + 1 }, (_, bin) => (most * (1 + 1e-9) * bin) / BINS);
 }
 
 /** Half a model is no figure. */

@@ -25,7 +25,8 @@ const link = computed<{ readonly address: string } | { readonly why: string }>((
 });
 
 export function SaveSection(): JSX.Element {
-  const ready = made.value !== undefined && !making.value && failure.value === undefined;
+  const holdsPoints = (made.value?.result.positions.length ?? 0) > 0;
+  const ready = holdsPoints && !making.value && failure.value === undefined;
   const kept = link.value;
   return (
     <section aria-labelledby="studio-keep">

@@ -405,6 +405,21 @@ mod tests {
     }
 
     #[test]
+    fn a_block_far_larger_than_what_it_leaves_is_refused_at_once() {
+        for size in [1e6, 1e5] {
+            let mut half = block(Shape::Cuboid);
+            half.operation = Operation::Cut;
+            half.sizes = vec![size; 3];
+            half.position = [size / 2.0, 0.0, 0.0];
+            let mut small = block(Shape::Cuboid);
+            small.sizes = vec![0.01; 3];
+            let part = compose(&[small, half]).unwrap();
+            let refused = build("part", &part, &Options::default());
+            assert_eq!(refused, Err(SampleError::TooLarge));
+        }
+    }
+
+    #[test]
     fn what_is_wrong_with_a_block_is_said_with_its_number() {
         let good = block(Shape::Cuboid);
         let mut tube = block(Shape::Tube);

@@ -28,7 +28,8 @@ const APART: f64 = 0.58;
 /// strayed at random; those too near an edge or another point are left out.
 ///
 /// # Errors
-/// [`SampleError::TooManyPoints`] as soon as there are more than the limit.
+/// [`SampleError::TooManyPoints`] as soon as there are more than the limit, and
+/// [`SampleError::TooLarge`] where far more places than that would have to be tried.
 pub fn mesh(
     boundary: &Boundary,
     spacing: f64,
@@ -36,6 +37,7 @@ pub fn mesh(
     limit: usize,
 ) -> Result<Mesh, SampleError> {
     let step = spacing * LATTICE;
+    check_places(boundary, step, limit)?;
     let mut mesh = Mesh {
         points: Vec::new(),
         members: vec![Vec::new(); boundary.carriers],
@@ -73,6 +75,33 @@ pub fn mesh(
         }
     }
     Ok(mesh)
+}
+
+/// Places tried for each point there may be: blocks that cut are tried whole, however little of them
+/// borders on what is left.
+const PLACES: f64 = 8.0;
+/// Most lattice points along a face in either direction.
+const ALONG: f64 = 1e5;
+
+/// Refuses faces that are far larger than the part: the spacing is that of what is left of it.
+fn check_places(boundary: &Boundary, step: f64, limit: usize) -> Result<(), SampleError> {
+    let mut places = 0.0;
+    for face in &boundary.faces {
+        let solid = &boundary.solids[face.solid];
+        let Domain { low, high, .. } = face.domain(solid);
+        let rows = (high[0] - low[0]) / step + 1.0;
+        let pace = [low[0], (low[0] + high[0]) / 2.0, high[0]]
+            .map(|across| face.pace(solid, across))
+            .into_iter()
+            .fold(0.0, f64::max);
+        let count = pace * (high[1] - low[1]) / step + 1.0;
+        places += rows * count;
+        let is_small = rows.max(count) <= ALONG && places <= PLACES * limit as f64;
+        if !is_small {
+            return Err(SampleError::TooLarge);
+        }
+    }
+    Ok(())
 }
 
 /// Offers the strayed lattice points of a face, until one is refused.

@@ -124,6 +124,12 @@ pub enum SampleError {
         /// The most there may be.
         limit: usize,
     },
+    /// Blocks reach far beyond what is left of the part.
+    #[error(
+        "blocks are far too large for this spacing; make those that cut little larger than what \
+         they cut, or choose a wider spacing"
+    )]
+    TooLarge,
     /// A part does not describe an object.
     #[error("feature {feature} of the part cannot be built: {reason}")]
     InvalidPart {

@@ -122,7 +122,9 @@ fn is_two_lines(places: &[Place], tolerance: f64) -> bool {
         [a, .., c] if places.len() > 2 => [*a, places[places.len() / 2], *c],
         _ => return true,
     };
-    [(a, b), (b, c), (a, c)].into_iter().any(|(p, q)| {
+    let pairs = [(a, b), (b, c), (a, c)];
+    // Through equal places there is no line.
+    pairs.into_iter().filter(|(p, q)| p != q).any(|(p, q)| {
         let off: Vec<Place> = places
             .iter()
             .copied()
@@ -130,9 +132,11 @@ fn is_two_lines(places: &[Place], tolerance: f64) -> bool {
             .collect();
         match off[..] {
             [] | [_] => true,
-            [first, .., last] => off
-                .iter()
-                .all(|&place| distance(first, last, place) <= tolerance),
+            [first, .., last] => {
+                let is_on =
+                    |&place: &Place| place == first || distance(first, last, place) <= tolerance;
+                off.iter().all(is_on)
+            }
         }
     })
 }
