@@ -12,6 +12,7 @@
 pub mod audit;
 pub mod cloud;
 pub mod diagnostics;
+mod disjoint;
 pub mod fit;
 pub mod format;
 pub mod lesson;

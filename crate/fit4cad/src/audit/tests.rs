@@ -317,12 +317,8 @@ fn coarse_coefficients_at_an_apex_are_a_note_and_corrected() {
     let mut implicit = surface.to_implicit();
     implicit[9] += 1e-4;
     let primitive = Primitive {
-        number: 1,
-        points: (0..401).collect(),
-        kind: Some(SurfaceType::Cone),
-        surface: Some(surface),
-        parametric: Coefficients::Given(surface.to_parametric()),
         implicit: Coefficients::Given(implicit),
+        ..Primitive::on(surface, 1, (0..401).collect())
     };
     let mut model = Model {
         cloud: Cloud::new(points),

@@ -3,6 +3,8 @@
 
 mod outline;
 
+pub use outline::{EXACT, widest_gap};
+
 use std::f64::consts::FRAC_PI_2;
 
 use super::least_squares::{self, Loss, degrees_of_freedom};

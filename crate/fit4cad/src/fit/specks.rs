@@ -5,21 +5,16 @@
 //! it, all exactly in one plane, is no accident: on a bent surface these neighbours leave the
 //! tangent plane, and along the rulings of an extruded one they lie in rows, never all around.
 
-use std::f64::consts::TAU;
-
 use super::progress::{Cancelled, Observer, Stage};
-use super::search::Search;
+use super::search::{EXACT, Search, widest_gap};
 use super::{Candidate, Parameters, detect};
 use crate::cloud::normals::Spread;
-use crate::cloud::{Direction, Point};
-use crate::surface::{Plane, Surface, across};
+use crate::surface::{Plane, Surface};
 
 /// Neighbours around the middle point.
 const AROUND: [usize; 3] = [4, 5, 6];
 /// Widest angle between two of them, seen from the middle, in radians: above that of a square.
 const GAP: f64 = 1.7;
-/// Error, in tolerances, of an exact plane; other fits fill the tolerance.
-const EXACT: f64 = 0.05;
 
 /// Finds the specks of a clean cloud among its unexplained points. O(n log n).
 pub fn specks(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
@@ -51,7 +46,7 @@ fn around(search: &mut Search<'_>, middle: u32) -> Option<Candidate> {
         let spread = Spread::of(ring.iter().chain([&centre]))?;
         let plane = Surface::Plane(Plane::new(spread.centroid, spread.normal().into_inner()));
         let is_flat = ring.iter().all(|point| plane.distance(point) <= exact);
-        if !is_flat || widest_gap(&centre, &ring, &spread.normal()) > GAP {
+        if !is_flat || widest_gap(&centre, &spread.normal(), ring.iter()) > GAP {
             return None;
         }
         let mut seeds = near.get(..count)?.to_vec();
@@ -62,28 +57,12 @@ fn around(search: &mut Search<'_>, middle: u32) -> Option<Candidate> {
     })
 }
 
-/// The widest angle between points of a ring, seen from its middle along the normal.
-fn widest_gap(middle: &Point, ring: &[Point], normal: &Direction) -> f64 {
-    let first = across(normal);
-    let second = normal.cross(&first);
-    let mut angles: Vec<f64> = ring
-        .iter()
-        .map(|point| {
-            let step = point - middle;
-            step.dot(&second).atan2(step.dot(&first))
-        })
-        .collect();
-    angles.sort_by(f64::total_cmp);
-    let turned = angles.first().map(|first| first + TAU);
-    let next = angles.iter().skip(1).copied().chain(turned);
-    let gaps = angles.iter().zip(next).map(|(angle, next)| next - angle);
-    gaps.fold(0.0, f64::max)
-}
-
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
-    use crate::cloud::Cloud;
+    use crate::cloud::{Cloud, Point};
 
     /// A bowl that belongs to no family: z = x⁴ + y⁴ on a grid of spacing 1/20 that leaves out
     /// |x|, |y| < `hole`.

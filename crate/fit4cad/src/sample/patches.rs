@@ -4,6 +4,7 @@ use super::boundary::Boundary;
 use super::grid::Grid;
 use super::mesh::Mesh;
 use crate::cloud::Point;
+use crate::disjoint::DisjointSets;
 use crate::surface::Surface;
 
 /// A surface and the points of one connected patch of it, ascending.
@@ -49,53 +50,17 @@ fn components(
             boundary.remains_near(&boundary.faces[face], chart, 0.1 * spacing)
         })
     };
-    let mut groups = Groups::new(points.len());
+    let mut sets = DisjointSets::new(points.len());
     let mut grid = Grid::new(2.2 * spacing);
     for (index, point) in points.iter().enumerate() {
         grid.near(point, |other| {
-            if groups.find(index) != groups.find(other)
+            if sets.root(index) != sets.root(other)
                 && goes_on(&nalgebra::center(point, &points[other]))
             {
-                groups.join(index, other);
+                sets.join(index, other);
             }
         });
         grid.add(*point);
     }
-    let mut place = vec![usize::MAX; points.len()];
-    let mut parts: Vec<Vec<u32>> = Vec::new();
-    for (index, &member) in members.iter().enumerate() {
-        let root = groups.find(index);
-        if place[root] == usize::MAX {
-            place[root] = parts.len();
-            parts.push(Vec::new());
-        }
-        parts[place[root]].push(member);
-    }
-    parts
-}
-
-/// Disjoint sets (Galler and Fischer 1964) with path halving.
-struct Groups {
-    parents: Vec<usize>,
-}
-
-impl Groups {
-    fn new(count: usize) -> Self {
-        Self {
-            parents: (0..count).collect(),
-        }
-    }
-
-    fn find(&mut self, mut index: usize) -> usize {
-        while self.parents[index] != index {
-            self.parents[index] = self.parents[self.parents[index]];
-            index = self.parents[index];
-        }
-        index
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.parents[a.max(b)] = a.min(b);
-    }
+    sets.groups(members)
 }

@@ -7,6 +7,7 @@
 
 use super::profile::Curve;
 use crate::cloud::{Direction, Point};
+use crate::fit::axes::axis_of;
 use crate::fit::{Candidate, Search};
 use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, Torus, across};
 
@@ -40,29 +41,10 @@ pub fn known_axes(search: &Search<'_>) -> Vec<KnownAxis> {
     let near = 20.0 * search.scale.tolerance;
     let mut axes: Vec<KnownAxis> = Vec::new();
     for owner in owners {
-        let axis = match owner.surface {
-            Surface::Cylinder(Cylinder {
-                centre: point,
-                axis: direction,
-                ..
-            })
-            | Surface::Cone(Cone {
-                apex: point,
-                axis: direction,
-                ..
-            })
-            | Surface::Torus(Torus {
-                centre: point,
-                axis: direction,
-                ..
-            }) => KnownAxis { point, direction },
-            Surface::Plane(_) | Surface::Sphere(_) => continue,
+        let Some(axis) = KnownAxis::of(&owner.surface) else {
+            continue;
         };
-        let known = axes.iter().any(|other| {
-            let sine = axis.direction.cross(&other.direction).norm();
-            sine < SAME_DIRECTION && other.profile(&axis.point).radius < near
-        });
-        if !known {
+        if !axes.iter().any(|other| other.is_same(&axis, near)) {
             axes.push(axis);
         }
         if axes.len() == MOST_AXES {
@@ -73,6 +55,18 @@ pub fn known_axes(search: &Search<'_>) -> Vec<KnownAxis> {
 }
 
 impl KnownAxis {
+    /// The axis of a surface of revolution other than a sphere.
+    pub fn of(surface: &Surface) -> Option<Self> {
+        let (point, direction) = axis_of(surface)?;
+        Some(Self { point, direction })
+    }
+
+    /// Whether another axis is this one: equally directed, and through points at most `near` apart.
+    pub fn is_same(&self, other: &Self, near: f64) -> bool {
+        let sine = other.direction.cross(&self.direction).norm();
+        sine < SAME_DIRECTION && self.profile(&other.point).radius < near
+    }
+
     /// Where a point lies in the half-plane.
     pub fn profile(&self, point: &Point) -> Profile {
         let offset = point - self.point;

@@ -6,6 +6,8 @@
 //! "HT: Simple primitive fitting based on Hough transform"). A peak that lives long stands out from
 //! its surroundings; one that dies at once is a ripple on another's flank.
 
+use crate::disjoint::DisjointSets;
+
 /// A local maximum and how long it lives as the level falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
@@ -56,7 +58,7 @@ pub fn diagram(heights: &[f64], neighbours: impl Fn(usize, &mut dyn FnMut(usize)
         rank[cell] = age;
     }
     // A component's root is its oldest cell, so the elder rule is a comparison of ranks.
-    let mut parent: Vec<usize> = (0..heights.len()).collect();
+    let mut components = DisjointSets::new(heights.len());
     let mut death = vec![0.0; heights.len()];
     let mut basins: Vec<usize> = (0..heights.len()).collect();
     // The elder that a component joined; a cell of its own counts as never joined.
@@ -70,7 +72,7 @@ pub fn diagram(heights: &[f64], neighbours: impl Fn(usize, &mut dyn FnMut(usize)
             }
         });
         for &other in &reached {
-            let (mine, theirs) = (root(&mut parent, cell), root(&mut parent, other));
+            let (mine, theirs) = (components.root(cell), components.root(other));
             if mine == theirs {
                 continue;
             }
@@ -79,11 +81,11 @@ pub fn diagram(heights: &[f64], neighbours: impl Fn(usize, &mut dyn FnMut(usize)
             } else {
                 (theirs, mine)
             };
-            parent[younger] = elder;
+            components.hang(younger, elder);
             death[younger] = heights[cell];
             joined[younger] = elder;
         }
-        basins[cell] = root(&mut parent, cell);
+        basins[cell] = components.root(cell);
     }
     // A component that dies at the level of its birth was only a part of a plateau or a slope.
     let is_maximum = |cell: usize| joined[cell] == cell || death[cell] < heights[cell];
@@ -106,14 +108,6 @@ pub fn diagram(heights: &[f64], neighbours: impl Fn(usize, &mut dyn FnMut(usize)
             .then(a.position.cmp(&b.position))
     });
     Diagram { peaks, basins }
-}
-
-fn root(parent: &mut [usize], mut cell: usize) -> usize {
-    while parent[cell] != cell {
-        parent[cell] = parent[parent[cell]];
-        cell = parent[cell];
-    }
-    cell
 }
 
 #[cfg(test)]

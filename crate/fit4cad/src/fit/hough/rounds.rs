@@ -265,8 +265,8 @@ fn grow(
 
 /// Accepts candidates, the one worth most first, until none is worth keeping.
 ///
-/// The worth of the others falls as points are explained, never rises, so a candidate that is still
-/// worth most after its worth is taken anew is the best.
+/// Every acceptance changes what the others are worth: the points it explains are theirs no more, and
+/// a border that ended in nowhere may end there now.
 fn accept_winners(
     search: &mut Search<'_>,
     work: &mut Work<'_>,

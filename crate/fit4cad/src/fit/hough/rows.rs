@@ -6,8 +6,7 @@
 
 use super::axis::KnownAxis;
 use super::profile::{Place, apart};
-use crate::cloud::Point;
-use crate::fit::axes::axis_of;
+use crate::cloud::{Direction, Point};
 use crate::fit::{Candidate, Search};
 use crate::surface::{Surface, across};
 
@@ -37,8 +36,7 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
     let apart = 4.0 * search.scale.tolerance;
     let points = candidate.support.iter().map(|&index| search.point(index));
     let rings = || -> usize {
-        axis_of(&candidate.surface).map_or(MANY, |(point, direction)| {
-            let axis = KnownAxis { point, direction };
+        KnownAxis::of(&candidate.surface).map_or(MANY, |axis| {
             let places = points.clone().map(|point| {
                 let place = axis.profile(point);
                 [place.radius, place.height]
@@ -48,12 +46,7 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
     };
     match &candidate.surface {
         Surface::Plane(plane) => {
-            let u = across(&plane.normal).into_inner();
-            let v = plane.normal.cross(&u);
-            let flat: Vec<Place> = points
-                .clone()
-                .map(|point| [point.coords.dot(&u), point.coords.dot(&v)])
-                .collect();
+            let flat: Vec<Place> = points.clone().map(seen_along(&plane.normal)).collect();
             if is_two_lines(&flat, apart) {
                 Proof::Chance
             } else {
@@ -61,10 +54,7 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
             }
         }
         Surface::Cylinder(cylinder) => {
-            let u = across(&cylinder.axis).into_inner();
-            let v = cylinder.axis.cross(&u);
-            let seen = |point: &Point| [point.coords.dot(&u), point.coords.dot(&v)];
-            let rulings = count(points.clone().map(seen), apart);
+            let rulings = count(points.clone().map(seen_along(&cylinder.axis)), apart);
             match (rulings, rings()) {
                 (..=2, _) | (_, ..=1) => Proof::None,
                 (3, 2) => Proof::None,
@@ -88,6 +78,13 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
         },
         Surface::Sphere(_) => Proof::Certain,
     }
+}
+
+/// Where points appear in the plane across a direction.
+fn seen_along(direction: &Direction) -> impl Fn(&Point) -> Place {
+    let u = across(direction).into_inner();
+    let v = direction.cross(&u);
+    move |point| [point.coords.dot(&u), point.coords.dot(&v)]
 }
 
 /// Number of places, the fullest first, that hold nearly all points, up to [`MANY`]: a few stray

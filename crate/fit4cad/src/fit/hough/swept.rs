@@ -72,13 +72,10 @@ pub fn swept_votes(
         extruded(&points, &direction, search.scale.tolerance, &mut surfaces);
     }
     let mut axes: Vec<KnownAxis> = Vec::new();
-    for (point, direction) in beside.iter().filter_map(axis_of) {
-        let known = axes.iter().any(|axis| {
-            axis.direction.cross(&direction).norm() < SAME
-                && axis.profile(&point).radius < 20.0 * search.scale.tolerance
-        });
-        if !known {
-            axes.push(KnownAxis { point, direction });
+    let near = 20.0 * search.scale.tolerance;
+    for axis in beside.iter().filter_map(KnownAxis::of) {
+        if !axes.iter().any(|other| other.is_same(&axis, near)) {
+            axes.push(axis);
         }
     }
     for axis in &axes {

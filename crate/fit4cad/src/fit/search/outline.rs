@@ -3,7 +3,40 @@
 use std::f64::consts::TAU;
 
 use super::Search;
+use crate::cloud::{Direction, Point};
 use crate::fit::Candidate;
+use crate::surface::across;
+
+/// Error, in tolerances, of a face of CAD: an accidental fit fills the tolerance.
+pub const EXACT: f64 = 0.05;
+
+/// The widest angle between points around a middle, seen from it along the normal; a full turn where
+/// there are none.
+pub fn widest_gap<'p>(
+    middle: &Point,
+    normal: &Direction,
+    around: impl Iterator<Item = &'p Point>,
+) -> f64 {
+    let first = across(normal);
+    let second = normal.cross(&first);
+    let mut angles: Vec<f64> = around
+        .map(|point| {
+            let step = point - middle;
+            step.dot(&second).atan2(step.dot(&first))
+        })
+        .collect();
+    angles.sort_by(f64::total_cmp);
+    let Some(last) = angles.last() else {
+        return TAU;
+    };
+    let mut before = last - TAU;
+    let mut widest = 0f64;
+    for &angle in &angles {
+        widest = widest.max(angle - before);
+        before = angle;
+    }
+    widest
+}
 
 impl Search<'_> {
     /// Opens the points at which a surface ends and no other takes over. They have one label, and
@@ -31,28 +64,8 @@ impl Search<'_> {
             return 0.0;
         }
         let point = self.point(index);
-        let normal = candidate.surface.normal(point);
-        let first = crate::surface::across(&normal);
-        let second = normal.cross(&first);
-        let mut angles: Vec<f64> = near
-            .iter()
-            .filter(|i| on(i))
-            .map(|&i| {
-                let step = self.point(i) - point;
-                step.dot(&second).atan2(step.dot(&first))
-            })
-            .collect();
-        angles.sort_by(f64::total_cmp);
-        let Some(last) = angles.last() else {
-            return TAU;
-        };
-        let mut before = last - TAU;
-        let mut widest = 0f64;
-        for &angle in &angles {
-            widest = widest.max(angle - before);
-            before = angle;
-        }
-        widest
+        let around = near.iter().filter(|i| on(i)).map(|&i| self.point(i));
+        widest_gap(point, &candidate.surface.normal(point), around)
     }
 
     /// Mean number of the eight nearest neighbours of a candidate's points that are its points too:
@@ -80,10 +93,9 @@ impl Search<'_> {
         const NEAR: f64 = 12.0;
         // So many exact points on one surface are no accident.
         const BEYOND_DOUBT: usize = 400;
-        const EXACT: f64 = 0.05;
         const GOOD: f64 = 0.2;
-        // An accidental fit fills the tolerance; a face much more exact than that is none, even
-        // where the next face goes on from it within the tolerance.
+        // A face much more exact than an accident is none, even where the next face goes on from
+        // it within the tolerance.
         let is_exact = candidate.error < EXACT * self.scale.tolerance
             || candidate.support.len() >= BEYOND_DOUBT
                 && candidate.error < GOOD * self.scale.tolerance;

@@ -12,7 +12,7 @@ pub use prune::prune;
 use super::Parameters;
 use super::progress::{Cancelled, Observer, Stage};
 use super::search::Search;
-use crate::model::{Coefficients, Primitive, Segmentation};
+use crate::model::{Primitive, Segmentation};
 
 /// Runs the three stages on what a search accepted.
 pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmentation, Cancelled> {
@@ -31,15 +31,7 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
     let mut primitives: Vec<Primitive> = Vec::new();
     for (candidate, points) in patches(search, &kept, &labels) {
         if points.len() >= smallest {
-            let surface = candidate.surface;
-            primitives.push(Primitive {
-                number: 0,
-                points,
-                kind: Some(surface.kind()),
-                surface: Some(surface),
-                parametric: Coefficients::Given(surface.to_parametric()),
-                implicit: Coefficients::Given(surface.to_implicit()),
-            });
+            primitives.push(Primitive::on(candidate.surface, 0, points));
         }
     }
     primitives.sort_by_key(|primitive| std::cmp::Reverse(primitive.points.len()));

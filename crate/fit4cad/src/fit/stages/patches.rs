@@ -15,6 +15,7 @@ use super::super::search::Search;
 use super::label::Labels;
 use crate::cloud::Vector;
 use crate::cloud::neighbours::Neighbour;
+use crate::disjoint::DisjointSets;
 
 /// Nearest points of the same surface that a point may link to.
 const LINKS: usize = 12;
@@ -99,12 +100,12 @@ impl Face<'_> {
                 if self.links(&roles, position, other)
                     && self.is_open(index, neighbour, &near[..rank])
                 {
-                    sets.join(position, other);
+                    sets.join(position as usize, other as usize);
                 }
             }
         }
         self.attach(&roles, &mut sets, &mut near);
-        self.components(&mut sets)
+        sets.groups(self.points)
     }
 
     /// The nearest points of the face, nearest first.
@@ -166,24 +167,10 @@ impl Face<'_> {
                 let mut places = near.iter().map(|n| self.place[n.index as usize]);
                 let nearest = places.find(|&p| !matches!(roles[p as usize], Role::Corner));
                 if let Some(nearest) = nearest {
-                    sets.join(position, nearest);
+                    sets.join(position as usize, nearest as usize);
                 }
             }
         }
-    }
-
-    fn components(&self, sets: &mut DisjointSets) -> Vec<Vec<u32>> {
-        let mut components: Vec<Vec<u32>> = Vec::new();
-        let mut component = vec![usize::MAX; self.points.len()];
-        for (position, &index) in (0u32..).zip(self.points) {
-            let root = sets.root(position) as usize;
-            if component[root] == usize::MAX {
-                component[root] = components.len();
-                components.push(Vec::new());
-            }
-            components[component[root]].push(index);
-        }
-        components
     }
 
     /// The role of a point by its labels: within the face, on an edge or at a corner.
@@ -258,32 +245,3 @@ const SIDEWAYS: f64 = 0.25;
 
 /// Sine of the angle between two surfaces below which they touch tangentially.
 const CROSSING: f64 = 0.05;
-
-/// Union-find with path halving; the smaller index is the root, so results do not depend on the
-/// order of joining.
-struct DisjointSets {
-    parent: Vec<u32>,
-}
-
-impl DisjointSets {
-    fn new(count: usize) -> Self {
-        Self {
-            parent: (0u32..).take(count).collect(),
-        }
-    }
-
-    fn root(&mut self, mut place: u32) -> u32 {
-        while self.parent[place as usize] != place {
-            let above = self.parent[self.parent[place as usize] as usize];
-            self.parent[place as usize] = above;
-            place = above;
-        }
-        place
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        let (low, high) = (a.min(b), a.max(b));
-        self.parent[high as usize] = low;
-    }
-}

@@ -2,7 +2,7 @@
 
 use super::super::Candidate;
 use super::super::least_squares::{self, Loss, degrees_of_freedom};
-use super::super::search::Search;
+use super::super::search::{EXACT, Search};
 use crate::cloud::Point;
 use crate::cloud::normals::Spread;
 use crate::surface::Surface;
@@ -76,8 +76,6 @@ fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
 const BESIDE: f64 = 0.3;
 /// Points beyond those that any surface of the family passes through.
 const SPARE: usize = 2;
-/// Error, in tolerances, of a face of CAD: an accidental fit fills the tolerance.
-const EXACT: f64 = 0.05;
 
 /// Share of the points around a patch that no patch holds.
 fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
