@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
-import { STANDPOINTS } from "../view/types";
+import { LookFrom } from "../view/look-from";
 import { picturing } from "../picture/dialog";
 import { scene } from "../state/scene";
 import { Popover } from "../ui/popover";
@@ -46,25 +46,7 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
           ))}
         </select>
       </label>
-      <label>
-        <span class="visually-hidden">Look from</span>
-        <select
-          value=""
-          disabled={!view}
-          onChange={(event) => {
-            const chosen = STANDPOINTS.find((standpoint) => standpoint === event.currentTarget.value);
-            if (chosen) view?.lookFrom(chosen);
-            event.currentTarget.value = "";
-          }}
-        >
-          <option value="">Look from…</option>
-          {STANDPOINTS.map((standpoint) => (
-            <option key={standpoint} value={standpoint}>
-              {standpoint}
-            </option>
-          ))}
-        </select>
-      </label>
+      <LookFrom view={view} />
       <button type="button" disabled={!view} onClick={() => view?.fit()}>
         Fit
       </button>

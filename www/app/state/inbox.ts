@@ -45,13 +45,12 @@ interface Made {
   readonly files: readonly ModelFile[];
   /** How submissions were fitted, by their names. */
   readonly fits: Readonly<Record<string, FitRequest>>;
+  /** Whether it was only there to look at, and goes when the first files are brought. */
+  readonly makesRoom: boolean;
 }
 
 /** Models that were made here, not brought as files, and submissions made here for any model. */
 const made = signal<ReadonlyMap<string, Made>>(new Map());
-
-/** The model shown on opening; it makes room for the first files brought. */
-let opening: string | undefined;
 
 /** Takes files in and scores what they make. `lacking` are files that could not even be opened. */
 export async function receive(files: readonly BroughtFile[], lacking: readonly Unplaced[] = []): Promise<void> {
@@ -93,9 +92,7 @@ export type Entrance = "shown" | "quiet" | "opening";
 export function addMade(name: string, origin: Origin, files: readonly ModelFile[], how: Entrance): void {
   // It makes room for what was brought while it was being made, too.
   if (how === "opening" && models.value.length > 0) return;
-  made.value = new Map(made.value).set(name, { origin, files, fits: {} });
-  // Made again by the reader, it is theirs to keep.
-  opening = how === "opening" ? name : opening === name ? undefined : opening;
+  made.value = new Map(made.value).set(name, { origin, files, fits: {}, makesRoom: how === "opening" });
   assemble(lastGrouping);
   if (how !== "quiet") selectModel(name);
 }
@@ -104,7 +101,7 @@ export function addMade(name: string, origin: Origin, files: readonly ModelFile[
 export function addSubmission(name: string, method: string, files: readonly ModelFile[], request: FitRequest): void {
   const entry = models.value.find(({ id }) => id === name);
   if (!entry) return;
-  const known = made.value.get(name) ?? { origin: entry.origin, files: [], fits: {} };
+  const known = made.value.get(name) ?? { origin: entry.origin, files: [], fits: {}, makesRoom: false };
   const kept = known.files.filter((file) => !files.some(({ path }) => path === file.path));
   const fits = { ...known.fits, [method]: request };
   made.value = new Map(made.value).set(name, { ...known, files: [...kept, ...files], fits });
@@ -137,7 +134,6 @@ export function remove(id: string): void {
   const paths = new Set(entry.source.files.map(({ path }) => path));
   brought.value = new Map([...brought.value].filter(([path]) => !paths.has(path)));
   made.value = new Map([...made.value].filter(([name]) => name !== id));
-  if (opening === id) opening = undefined;
   lastGrouping = { ...lastGrouping, models: lastGrouping.models.filter(({ name }) => name !== id) };
   assemble(lastGrouping);
 }
@@ -149,7 +145,6 @@ export function clear(): void {
     overrides.value = {};
     refused.value = new Map();
     made.value = new Map();
-    opening = undefined;
     lastGrouping = NOTHING;
     assemble(NOTHING);
   });
@@ -169,10 +164,8 @@ function regroup(): Promise<void> {
 async function sortAnew(): Promise<void> {
   const paths = [...brought.value.keys()];
   lastGrouping = await engine.run((api) => api.group(paths, overrides.value));
-  if (opening !== undefined && lastGrouping.models.length > 0) {
-    const { [opening]: _, ...rest } = Object.fromEntries(made.value);
-    made.value = new Map(Object.entries(rest));
-    opening = undefined;
+  if (lastGrouping.models.length > 0) {
+    made.value = new Map([...made.value].filter(([, { makesRoom }]) => !makesRoom));
   }
   assemble(lastGrouping);
 }

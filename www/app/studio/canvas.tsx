@@ -9,7 +9,7 @@ import * as format from "../ui/format";
 import { LiveView } from "../view/live-view";
 import { bytes, segmentColour, UNSEGMENTED } from "../view/palette";
 import type { PointView } from "../view/point-view";
-import { STANDPOINTS } from "../view/types";
+import { LookFrom } from "../view/look-from";
 import { depthOf, lassoOf } from "./lasso";
 import { vanished } from "./missing-section";
 import { failure, made, making, stop } from "./state";
@@ -24,24 +24,7 @@ export function Canvas(): JSX.Element {
   return (
     <div class="studio-view">
       <div class="picture-tools">
-        <label>
-          <span class="visually-hidden">Look from</span>
-          <select
-            value=""
-            onChange={(event) => {
-              const chosen = STANDPOINTS.find((standpoint) => standpoint === event.currentTarget.value);
-              if (chosen) view.value?.lookFrom(chosen);
-              event.currentTarget.value = "";
-            }}
-          >
-            <option value="">Look from…</option>
-            {STANDPOINTS.map((standpoint) => (
-              <option key={standpoint} value={standpoint}>
-                {standpoint}
-              </option>
-            ))}
-          </select>
-        </label>
+        <LookFrom view={drawn} />
         <button type="button" onClick={() => view.value?.fit()}>
           Fit
         </button>

@@ -7,9 +7,7 @@ import { SETS } from "../../public/catalogue";
 import type { Claim, SharedModel, SharedOrigin, SharedResults, SharedView } from "../shared";
 import { ByteReader, ByteWriter } from "./bytes";
 import {
-  ALL_PRESENT,
   at,
-  below,
   MAX_CLAIMS,
   MAX_MODELS,
   MAX_NUMBER,
@@ -18,22 +16,25 @@ import {
   presence,
   PROTOCOLS,
   range,
-  readCamera,
-  readFingerprints,
-  readMeans,
-  readSample,
   writeCamera,
   writeFingerprints,
   writeMeans,
   writeSample,
 } from "./fields";
+import { readLayout, type Layout } from "./layout";
 
-const SIDES = ["truth", "prediction", "rival"] as const;
 const SET_NAMES = SETS.map(({ name }) => name);
 const FITTERS = ["ht", "pg"] as const;
 /** More ways of fitting than anybody compares, and more parameters than a fitter has. */
 const MAX_REQUESTS = 200;
 const MAX_PARAMETERS = 64;
+
+const LAYOUT: Layout = {
+  sides: ["truth", "prediction", "rival"],
+  viewFields: 0b111_1111,
+  readPublic,
+  readFitted,
+};
 
 export function write(results: SharedResults): Uint8Array<ArrayBuffer> {
   const out = new ByteWriter();
@@ -46,14 +47,7 @@ export function write(results: SharedResults): Uint8Array<ArrayBuffer> {
 }
 
 export function read(bytes: Uint8Array<ArrayBuffer>): SharedResults {
-  const from = new ByteReader(bytes);
-  const engine = from.text();
-  const protocol = oneOf(PROTOCOLS, from.u8());
-  const models = readModels(from);
-  const claims = readClaims(from, models.length);
-  const view = readView(from, models.length);
-  from.end();
-  return { engine, protocol, models, claims, ...(view && { view }) };
+  return readLayout(LAYOUT, bytes);
 }
 
 function writeModels(out: ByteWriter, models: readonly SharedModel[]): void {
@@ -66,24 +60,6 @@ function writeModels(out: ByteWriter, models: readonly SharedModel[]): void {
   for (const { origin } of models) if (origin.kind === "sample") writeSample(out, origin);
   for (const { origin } of models) if (origin.kind === "public") writePublic(out, origin);
   writeFingerprints(out, models.map(({ inputs }) => inputs));
-}
-
-function readModels(from: ByteReader): SharedModel[] {
-  const places = range(from.count(MAX_MODELS));
-  const names = places.map(() => from.text());
-  const points = places.map(() => from.whole(MAX_NUMBER));
-  const truths = places.map(() => from.whole(MAX_NUMBER));
-  const kinds = places.map(() => oneOf(ORIGINS, from.u8()));
-  const samples = kinds.map((kind) => (kind === "sample" ? readSample(from) : undefined));
-  const origins = kinds.map((kind, i): SharedOrigin => samples[i] ?? (kind === "public" ? readPublic(from) : { kind: "files" }));
-  const inputs = readFingerprints(from, places.length);
-  return places.map((i) => ({
-    name: at(names, i),
-    points: at(points, i),
-    truth: at(truths, i),
-    origin: at(origins, i),
-    ...(inputs[i] && { inputs: inputs[i] }),
-  }));
 }
 
 function writePublic(out: ByteWriter, { model }: Extract<SharedOrigin, { kind: "public" }>): void {
@@ -149,27 +125,11 @@ function requestText({ method, seed, parameters }: FitRequest): string {
   return JSON.stringify({ method, seed, parameters: Object.fromEntries(sorted) });
 }
 
-function readClaims(from: ByteReader, models: number): Claim[] {
-  const methods = range(from.count(MAX_CLAIMS)).map(() => from.text());
-  const places = range(from.count(MAX_CLAIMS));
-  const claimed = places.map(() => from.whole());
-  const named = places.map(() => from.whole());
-  const predicted = places.map(() => from.whole(MAX_NUMBER));
-  const typeErrors = places.map(() => from.whole(MAX_NUMBER));
-  const present = places.map(() => from.whole(ALL_PRESENT));
+/** The way of each claim, by its place in the list of ways, from 1; 0 is none. */
+function readFitted(from: ByteReader, claims: number): (FitRequest | undefined)[] {
   const ways = readRequests(from);
-  const fitted = places.map(() => from.whole(ways.length));
-  const submissions = readFingerprints(from, places.length);
-  const means = readMeans(from, present);
-  return places.map((i) => ({
-    model: below(at(claimed, i), models),
-    method: at(methods, at(named, i)),
-    predicted: at(predicted, i),
-    typeErrors: at(typeErrors, i),
-    mean: at(means, i),
-    ...(at(fitted, i) > 0 && { fitted: at(ways, at(fitted, i) - 1) }),
-    ...(submissions[i] && { submission: submissions[i] }),
-  }));
+  const places = range(claims).map(() => from.whole(ways.length));
+  return places.map((place) => (place > 0 ? at(ways, place - 1) : undefined));
 }
 
 function writeView(out: ByteWriter, view: SharedView | undefined): void {
@@ -181,27 +141,11 @@ function writeView(out: ByteWriter, view: SharedView | undefined): void {
   out.u8(given.reduce<number>((mask, value, bit) => (value === undefined ? mask : mask | (1 << bit)), 0));
   if (method !== undefined) out.text(method);
   if (primitive) {
-    out.u8(SIDES.indexOf(primitive.side));
+    out.u8(LAYOUT.sides.indexOf(primitive.side));
     out.whole(primitive.index);
   }
   if (camera) writeCamera(out, camera);
   if (colour !== undefined) out.text(colour);
   if (arrangement !== undefined) out.text(arrangement);
   if (left !== undefined) out.text(left);
-}
-
-function readView(from: ByteReader, models: number): SharedView | undefined {
-  if (from.u8() === 0) return undefined;
-  const model = below(from.whole(), models);
-  const mask = from.u8();
-  return {
-    model,
-    ...(mask & 1 && { method: from.text() }),
-    ...(mask & 2 && { primitive: { side: oneOf(SIDES, from.u8()), index: from.whole(MAX_NUMBER) } }),
-    ...(mask & 4 && { camera: readCamera(from) }),
-    ...(mask & 8 && { colour: from.text() }),
-    ...(mask & 16 && { arrangement: from.text() }),
-    ...(mask & 32 && { left: from.text() }),
-    ...(mask & 64 && { rightIsTruth: true }),
-  };
 }

@@ -1,0 +1,30 @@
+// Where to look from: a choice that acts and forgets.
+
+import type { JSX } from "preact";
+import type { PointView } from "./point-view";
+import { STANDPOINTS } from "./types";
+
+/** For a view that is not there yet it cannot be chosen from. */
+export function LookFrom({ view }: { view: PointView | undefined }): JSX.Element {
+  return (
+    <label>
+      <span class="visually-hidden">Look from</span>
+      <select
+        value=""
+        disabled={!view}
+        onChange={(event) => {
+          const chosen = STANDPOINTS.find((standpoint) => standpoint === event.currentTarget.value);
+          if (chosen) view?.lookFrom(chosen);
+          event.currentTarget.value = "";
+        }}
+      >
+        <option value="">Look from…</option>
+        {STANDPOINTS.map((standpoint) => (
+          <option key={standpoint} value={standpoint}>
+            {standpoint}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
