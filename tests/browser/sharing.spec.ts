@@ -163,6 +163,34 @@ test("the link of a fit on this page repeats it, and what stood beside it", asyn
   await expect(page.getByLabel("Left view").locator("option:checked")).toHaveText("Imperfect");
 });
 
+test("a link's sample stands beside another of its part; one stop ends its fits, and what was not repeated says so", async ({ page }) => {
+  await open(page);
+  const part = (await rows(page).getByRole("rowheader").textContent()) ?? "";
+  const link = tampered(await linkOf(page), (results) => ({
+    ...results,
+    models: results.models.map((model) => ({ ...model, inputs: "0123456789abcdef", origin: { kind: "sample", part, options: { seed: 9 } } })),
+    claims: [
+      ...results.claims,
+      ...[1, 2, 3, 4, 5, 6].flatMap((seed) =>
+        results.claims.map((claim) => ({ ...claim, method: `PG ${seed}`, fitted: { method: "pg" as const, seed, parameters: {} } })),
+      ),
+    ],
+  }));
+  await page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
+  await page.getByRole("button", { name: "Stop recomputing" }).click();
+  await expect(page.locator(".banner")).toContainText("not recomputed");
+  await expect(page.getByRole("button", { name: /^Stop/ })).toHaveCount(0);
+  await expect(claims(page).filter({ hasText: "as claimed, not recomputed" })).not.toHaveCount(0);
+  const rest = page.getByRole("button", { name: /^(Make|Repeat)/ });
+  await expect(rest).toContainText(/epeat \d fits?$/);
+  await picture(page, "shared-stopped");
+  await rest.click();
+  await expect(page.locator(".notice")).toHaveText(/^\d fits? of the link repeated here\.$/, { timeout: 45_000 });
+  await page.getByRole("tab", { name: "Measures" }).click();
+  await expect(row(page, part)).toHaveCount(1);
+  await expect(row(page, `${part}-seed9`)).toHaveCount(7);
+});
+
 test("a damaged link says so, and the page works on", async ({ page }) => {
   await open(page);
   const link = await linkOf(page);

@@ -119,11 +119,10 @@ const worker: EngineWorker = {
     return lists.map((values) => distribution(values));
   },
 
-  async generate(part, options): Promise<WrittenFiles> {
+  async generate(part, options, name): Promise<WrittenFiles> {
     await ready;
     const model = Model.generate(part, options);
     try {
-      const { name } = model.info();
       const method = model.imperfect(Number(options.seed ?? 1));
       return { name, files: [...written(model, name), ...written(model, name, method)] };
     } finally {

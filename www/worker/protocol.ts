@@ -116,8 +116,8 @@ export interface EngineWorker {
   version(): Promise<string>;
   group(paths: string[], overrides: Record<string, Override>): Promise<Grouping>;
   parts(): Promise<PartInfo[]>;
-  /** Makes a sample part: the four files of its truth and those of an imperfect submission. */
-  generate(part: string, options: SampleOptions): Promise<WrittenFiles>;
+  /** Makes a sample part: the four files of its truth and those of an imperfect submission, called by `name`. */
+  generate(part: string, options: SampleOptions, name: string): Promise<WrittenFiles>;
   score(source: ModelSource): Promise<ScoredModel>;
   open(source: ModelSource, method: string | undefined, rival: string | undefined): Promise<ModelScene>;
   /** Unit normal of every point, without a sign. */

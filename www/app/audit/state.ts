@@ -4,7 +4,7 @@ import { computed } from "@preact/signals";
 import type { Finding, PrimitiveAudit } from "../engine/contract";
 import { survey } from "../engine/survey";
 import { models } from "../state/models";
-import { truthOnly } from "../state/truth";
+import { truthOnly } from "../state/content";
 import type { AuditedModel } from "../../worker/protocol";
 
 export const audits = survey<AuditedModel>((api, source) => api.audit(source));

@@ -51,7 +51,8 @@ export default function FitPanel(): JSX.Element {
           event.preventDefault();
           const all = event.submitter?.getAttribute("value") === "all";
           const chosen = all ? models.value : models.value.filter(({ id }) => id === selectedModel.value);
-          void fitModels(chosen.filter(hasCloud), request.value);
+          const how = request.value;
+          void fitModels(chosen.filter(hasCloud).map(({ id }) => ({ model: id, request: how })));
         }}
       >
         <Choice />

@@ -1,7 +1,7 @@
 // The models of a run: how far each is, and what came of it.
 
 import type { JSX } from "preact";
-import { fitRun, shareDone, type Fit, type FitState } from "../state/fitting";
+import { fitRun, shareDone, type Fit, type FitRun, type FitState } from "../state/fitting";
 import { isMadeHere, removeSubmission } from "../state/inbox";
 import { modelById } from "../state/models";
 import { selectModel, selectedMethod, selectedModel } from "../state/selection";
@@ -15,7 +15,7 @@ export function Results(): JSX.Element | null {
     <div class="fits-box">
       <table class="fits">
         <caption>
-          {run.request.method.toUpperCase()} on {format.plural(run.fits.length, "model")}
+          {captionOf(run)}
         </caption>
         <thead>
           <tr>
@@ -36,13 +36,21 @@ export function Results(): JSX.Element | null {
           </tr>
         </thead>
         <tbody>
-          {run.fits.map((fit) => (
-            <Row key={fit.model} fit={fit} />
+          {run.fits.map((fit, place) => (
+            <Row key={`${place} ${fit.model}`} fit={fit} />
           ))}
         </tbody>
       </table>
     </div>
   );
+}
+
+/** A run that repeats what a link claims may be of both methods, and fit a model several times. */
+function captionOf({ fits }: FitRun): string {
+  const methods = [...new Set(fits.map(({ request }) => request.method.toUpperCase()))].join(" and ");
+  const count = new Set(fits.map(({ model }) => model)).size;
+  const times = fits.length > count ? `${format.plural(fits.length, "fit")}, ` : "";
+  return `${times}${methods} on ${format.plural(count, "model")}`;
 }
 
 function Row({ fit }: { fit: Fit }): JSX.Element {

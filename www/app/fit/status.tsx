@@ -13,13 +13,13 @@ const heard = computed(() => {
   const progress = fitProgress.value;
   const run = fitRun.value;
   if (!progress || !run) return "";
-  const method = run.request.method.toUpperCase();
   const [only] = run.fits;
   if (only && progress.total === 1) {
     const state = only.state.value;
-    return `${method} fits ${only.model}: ${state.kind === "running" ? state.stage : "waiting"}`;
+    return `${only.request.method.toUpperCase()} fits ${only.model}: ${state.kind === "running" ? state.stage : "waiting"}`;
   }
-  return `${method}: ${integer(progress.done)} of ${integer(progress.total)} models fitted`;
+  const methods = [...new Set(run.fits.map(({ request }) => request.method.toUpperCase()))].join(" and ");
+  return `${methods}: ${integer(progress.done)} of ${integer(progress.total)} fits done`;
 });
 
 export function FittingWork(): JSX.Element {

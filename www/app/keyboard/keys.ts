@@ -4,6 +4,7 @@ import { adding } from "../intake/add-dialog";
 import { focusSearch } from "../models/list";
 import { toggleProtocol } from "../measures/protocol-switch";
 import { nextTheme } from "../shell/header";
+import { stopRebuilding } from "../sharing/rebuild";
 import { sharing } from "../sharing/share";
 import { shownPanel } from "../shell/panels";
 import { PANELS } from "../shell/registry";
@@ -33,6 +34,7 @@ function nextMethod(): void {
 }
 
 function stopWork(): void {
+  stopRebuilding();
   cancelScoring();
   cancelFitting();
 }

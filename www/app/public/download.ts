@@ -51,11 +51,14 @@ export interface Wanted {
   readonly withResults: boolean;
 }
 
-/** True if all that was asked for arrived. What arrived is taken in any case. */
-export async function downloadModels(base: URL, { set, numbers, withResults }: Wanted): Promise<boolean> {
+/** How a download ended: with all that was asked for, with less, or stopped by the reader. What arrived is taken in any case. */
+export type Ending = "complete" | "short" | "stopped";
+
+export async function downloadModels(base: URL, { set, numbers, withResults }: Wanted, stopped?: AbortSignal): Promise<Ending> {
   const models = numbers.map((number) => filesOf(set, number, withResults));
   const total = models.flat().length;
-  return run({ what: plural(models.length, `${set} model`), unit: "files", done: 0, total, bytes: 0 }, async (options) => {
+  const start: Download = { what: plural(models.length, `${set} model`), unit: "files", done: 0, total, bytes: 0 };
+  return run(start, stopped, async (options) => {
     const arrival = new Arrival();
     const ended = await inParallel(models.flat(), async (file) => {
       const fetched = await fetchFile(new URL(file.address, base), { ...options, limit: MAX_FILE_BYTES });
@@ -71,10 +74,10 @@ export async function downloadModels(base: URL, { set, numbers, withResults }: W
   });
 }
 
-/** Opens a zip by its address; true if it arrived. */
-export async function downloadZip(address: URL): Promise<boolean> {
+/** Opens a zip by its address. */
+export async function downloadZip(address: URL): Promise<Ending> {
   const path = address.pathname.split("/").at(-1) ?? "data.zip";
-  return run({ what: path, unit: "bytes", done: 0, total: undefined, bytes: 0 }, async (options) => {
+  return run({ what: path, unit: "bytes", done: 0, total: undefined, bytes: 0 }, undefined, async (options) => {
     const onPiece: FetchOptions["onPiece"] = (bytes, whole) => {
       options.onPiece(bytes, whole);
       progress({ done: bytes }, whole);
@@ -125,9 +128,12 @@ class Arrival {
   }
 }
 
-async function run(start: Download, work: (options: Pick<FetchOptions, "signal" | "onPiece">) => Promise<Brought>): Promise<boolean> {
-  if (download.value) return false;
+type Work = (options: Pick<FetchOptions, "signal" | "onPiece">) => Promise<Brought>;
+
+async function run(start: Download, stopped: AbortSignal | undefined, work: Work): Promise<Ending> {
+  if (download.value) return "short";
   stopper = new AbortController();
+  stopped?.addEventListener("abort", stopDownload, { once: true });
   shortfall.value = undefined;
   pending = { done: 0, bytes: 0 };
   download.value = start;
@@ -136,13 +142,14 @@ async function run(start: Download, work: (options: Pick<FetchOptions, "signal" 
     brought = await work({ signal: stopper.signal, onPiece: (bytes) => progress({ bytes }) });
   } finally {
     download.value = undefined;
+    stopped?.removeEventListener("abort", stopDownload);
   }
   const { files, lacking, notes, ended } = brought;
   if (files.length + lacking.length > 0) await takeDownloaded({ files: [...files], refused: [...lacking] });
-  if (!ended && lacking.length + notes.length === 0) return true;
+  if (!ended && lacking.length + notes.length === 0) return "complete";
   shortfall.value = { summary: summaryOf(brought), files: [...lacking, ...notes] };
   notify(shortfall.value.summary, lacking.length > 0 || (ended && !(ended instanceof Stopped)) ? "error" : "info");
-  return false;
+  return ended instanceof Stopped ? "stopped" : "short";
 }
 
 function summaryOf({ ended, lacking, notes, taken, wanted }: Brought): string {

@@ -25,8 +25,8 @@ export function PublicForm({ onTaken }: { onTaken: () => void }): JSX.Element {
       onSubmit={(event) => {
         event.preventDefault();
         if (!wanted) return;
-        void downloadModels(base.address, wanted).then((all) => {
-          if (all) onTaken();
+        void downloadModels(base.address, wanted).then((ending) => {
+          if (ending === "complete") onTaken();
         });
       }}
     >

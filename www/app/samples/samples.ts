@@ -3,8 +3,10 @@
 import { signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { SampleOptions, PartInfo } from "../engine/contract";
-import { addMade, type Entrance } from "../state/inbox";
+import { addMade, keepMade, type Entrance } from "../state/inbox";
+import { models } from "../state/models";
 import { notify } from "../state/notices";
+import { isSameSample, nameOfSample, type SampleOrigin } from "./identity";
 
 export const partList = signal<readonly PartInfo[]>([]);
 
@@ -16,13 +18,25 @@ export function listParts(): Promise<void> {
   return listed;
 }
 
-export async function makeSample(part: string, options: SampleOptions, how: Entrance = "shown"): Promise<void> {
+/** Has a sample on the page, made anew unless it is there. Says so where it cannot be made. */
+export async function makeSample(part: string, options: SampleOptions, how: Entrance = "shown", stopped?: AbortSignal): Promise<void> {
+  const origin = { kind: "sample", part, options } as const;
+  if (isHere(origin, how)) return;
   try {
-    const { name, files } = await engine.run((api) => api.generate(part, options));
-    addMade(name, { kind: "sample", part, options }, files, how);
+    const name = nameOfSample(origin);
+    const { files } = await engine.run((api) => api.generate(part, options, name), stopped ? { signal: stopped } : {});
+    // It may have been asked for twice.
+    if (!isHere(origin, how)) addMade(name, origin, files, how);
   } catch (error) {
+    if (stopped?.aborted) return;
     notify(`The sample could not be made: ${error instanceof Error ? error.message : String(error)}`, "error");
   }
+}
+
+function isHere(origin: SampleOrigin, how: Entrance): boolean {
+  const known = models.value.find((entry) => isSameSample(entry.origin, origin));
+  if (known) keepMade(known.id, how);
+  return known !== undefined;
 }
 
 /** Puts the first part on the page, so that there is something to see from the start. */

@@ -5,7 +5,7 @@ import { goToPanel } from "../shell/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
-import { entryOf, isRebuildable, rebuild, rebuilding, workOf } from "./rebuild";
+import { rebuild, rebuilding, recomputingOf, restOf, stopRebuilding, workOf } from "./rebuild";
 import type { SharedResults } from "./shared";
 
 export function SharedBanner(): JSX.Element | null {
@@ -36,31 +36,35 @@ export function SharedBanner(): JSX.Element | null {
   );
 }
 
-/** Has the rest of the models again that the link says how to, and repeats the fits it names. */
-function RestButton({ results }: { results: SharedResults }): JSX.Element | null {
-  const places = results.models.flatMap((model, place) => {
-    const absent = entryOf(model) === undefined;
-    const unfitted = judged.value.some(({ claim, verdict }) => claim.model === place && claim.fitted && verdict.kind === "claimed");
-    return absent ? (isRebuildable(model) ? [place] : []) : unfitted ? [place] : [];
-  });
-  if (places.length === 0 || rebuilding.value) return null;
-  const { samples, downloads, fits } = workOf(results, places);
-  const parts = [
-    samples > 0 && `make ${plural(samples, "sample")}`,
-    downloads > 0 && `download ${plural(downloads, "public model")}`,
-    fits > 0 && `repeat ${plural(fits, "fit")}`,
-  ].filter((part) => part !== false);
-  const text = parts.join(", ");
-  return (
-    <button type="button" onClick={() => void rebuild(results, places)}>
-      {text.charAt(0).toUpperCase() + text.slice(1)}
+/** Has again what the link says how to, or ends that. */
+export function RestButton({ results }: { results: SharedResults }): JSX.Element | null {
+  if (rebuilding.value) {
+    return (
+      <button type="button" onClick={stopRebuilding}>
+        Stop recomputing
+      </button>
+    );
+  }
+  const rest = restOf(results);
+  const work = workOf(results, rest);
+  return work === undefined ? null : (
+    <button type="button" onClick={() => void rebuild(results, rest)}>
+      {work}
     </button>
   );
 }
 
 function Close(): JSX.Element {
   return (
-    <button type="button" class="icon" aria-label="Close the link" onClick={closeLink}>
+    <button
+      type="button"
+      class="icon"
+      aria-label="Close the link"
+      onClick={() => {
+        stopRebuilding();
+        closeLink();
+      }}
+    >
       <Icon name="close" />
     </button>
   );
@@ -114,12 +118,17 @@ export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Elem
       </>
     );
   }
+  const open = judged.value.filter(({ verdict }) => verdict.kind === "claimed").map(recomputingOf);
+  const [underWay, notDone] = [open.filter((how) => how === "under way").length, open.filter((how) => how === "not done").length];
+  const toDrop = all - verified - underWay - notDone;
   return (
     <>
       <strong>As claimed.</strong> {plural(all, "shared result")}
       {verified > 0 && `, ${verified} verified here`}
-      {others > 0 && `, ${others} with other files`}. {embedded ? "Open full" : "Drop the same files on the page"} to
-      check {verified > 0 ? "the rest" : "them"}.
+      {others > 0 && `, ${others} with other files`}
+      {underWay > 0 && `, ${underWay} being recomputed`}
+      {notDone > 0 && `, ${notDone} not recomputed`}.
+      {toDrop > 0 && ` ${embedded ? "Open full" : "Drop the same files on the page"} to check ${toDrop < all ? "the rest" : "them"}.`}
     </>
   );
 }

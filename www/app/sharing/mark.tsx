@@ -3,6 +3,8 @@
 import type { JSX } from "preact";
 import { Icon, type IconName } from "../ui/icon";
 import type { Verdict } from "./judge";
+import type { JudgedClaim } from "./opened";
+import { recomputingOf, type Recomputing } from "./rebuild";
 
 interface Look {
   readonly kind: "good" | "warning" | "error" | "note";
@@ -11,7 +13,7 @@ interface Look {
   readonly meaning: string;
 }
 
-function lookOf(verdict: Verdict): Look {
+function lookOf(verdict: Verdict, recomputing: Recomputing): Look {
   switch (verdict.kind) {
     case "verified":
       return {
@@ -42,17 +44,24 @@ function lookOf(verdict: Verdict): Look {
         meaning: "The link was made on a page that could not hash files, so it does not say which files it is about.",
       };
     case "claimed":
-      return {
-        kind: "note",
-        icon: "note",
-        text: "as claimed",
-        meaning: "Drop the ground truth and the submission on the page to have them scored and compared.",
-      };
+      return { kind: "note", icon: "note", ...CLAIMED[recomputing] };
   }
 }
 
-export function VerdictMark({ verdict }: { verdict: Verdict }): JSX.Element {
-  const { kind, icon, text, meaning } = lookOf(verdict);
+const CLAIMED: Readonly<Record<Recomputing, Pick<Look, "text" | "meaning">>> = {
+  "under way": { text: "being recomputed", meaning: "The link says how this was made; it is being made again on this computer." },
+  "not done": {
+    text: "as claimed, not recomputed",
+    meaning: "The link says how this was made. It can be made again on this computer: press the button beside “As claimed” above.",
+  },
+  "not possible": {
+    text: "as claimed",
+    meaning: "Drop the ground truth and the submission on the page to have them scored and compared.",
+  },
+};
+
+export function VerdictMark({ row }: { row: JudgedClaim }): JSX.Element {
+  const { kind, icon, text, meaning } = lookOf(row.verdict, recomputingOf(row));
   return (
     <span class={`mark ${kind}`} title={meaning}>
       <Icon name={icon} />

@@ -11,14 +11,15 @@ import { rightIsTruth, selectedPrimitive, selectModel, showLeft, type PrimitiveR
 import { protocol } from "../state/settings";
 import { readFragment } from "./codec/link";
 import { engineHere, opened, SHARED_PANEL } from "./opened";
-import { entryOf, isRebuildable, rebuild } from "./rebuild";
-import type { SharedResults } from "./shared";
+import { entryOf, isRebuildable, rebuild, stopRebuilding } from "./rebuild";
+import type { SharedModel, SharedResults } from "./shared";
 
 /** More samples than this are not made unasked: a link must not keep the machine busy. */
 const MAX_SAMPLES = 12;
 
 /** Opens what the fragment holds; false where it is damaged, which the page then says. */
 export async function openLink(fragment: string): Promise<boolean> {
+  stopRebuilding();
   let results: SharedResults;
   try {
     results = readFragment(fragment);
@@ -38,14 +39,19 @@ export async function openLink(fragment: string): Promise<boolean> {
 
 /** What the sharer looked at comes whole, with its fits; of the rest, unasked, only what is quickly made. */
 async function restore(results: SharedResults): Promise<void> {
-  const places = results.models.flatMap((model, place) => (isRebuildable(model) ? [place] : []));
-  const isShown = (place: number) => place === results.view?.model;
-  const isQuick = (place: number) => results.models[place]?.origin.kind === "sample" && !isShown(place);
+  const shown = results.view?.model;
+  const samples = results.models.flatMap(({ origin }, place) => (origin.kind === "sample" && place !== shown ? [place] : []));
   const stillShown = lookAgain(results);
-  await rebuild(results, places.filter(isShown));
+  await rebuild(results, {
+    models: [...(shown === undefined ? [] : [shown]), ...samples.slice(0, MAX_SAMPLES)],
+    shown,
+    fits: results.claims.filter(({ model, fitted }) => fitted && model === shown && isMade(results.models[model])),
+  });
   if (stillShown()) look(results, "submissions");
-  const unfitted = { ...results, claims: [] };
-  await rebuild(unfitted, places.filter(isQuick).slice(0, MAX_SAMPLES), "quiet");
+}
+
+function isMade(model: SharedModel | undefined): boolean {
+  return model !== undefined && isRebuildable(model);
 }
 
 /**

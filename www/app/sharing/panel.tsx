@@ -57,7 +57,7 @@ const COLUMNS: readonly Column<JudgedClaim>[] = [
     id: "mark",
     head: "Mark",
     label: "mark",
-    cell: ({ verdict }) => <VerdictMark verdict={verdict} />,
+    cell: (row) => <VerdictMark row={row} />,
     sortBy: ({ verdict }) => verdict.kind,
   },
   count("points", "Points", "points", "points", ({ model }) => model.points),

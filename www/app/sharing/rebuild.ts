@@ -1,13 +1,17 @@
 // Has the models of a link again without their files: samples are made, public models downloaded,
-// fits repeated.
+// fits repeated. One stop ends all of it.
 
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import { downloadModels } from "../public/download";
 import { publicBase } from "../public/source";
 import { SETS, type PublicModel } from "../public/catalogue";
+import { isSameSample } from "../samples/identity";
 import { makeSample } from "../samples/samples";
 import { fitModels } from "../state/fitting";
-import { models, type ModelEntry } from "../state/models";
+import { models, type ModelEntry, type Origin } from "../state/models";
+import { notify } from "../state/notices";
+import { plural } from "../ui/format";
+import { judged, type JudgedClaim } from "./opened";
 import type { Claim, SharedModel, SharedOrigin, SharedResults } from "./shared";
 
 /** The public repository has results of these for the test set. */
@@ -19,65 +23,150 @@ export function isRebuildable({ origin }: SharedModel): boolean {
 }
 
 /** The model on the page that a link speaks of. */
-export function entryOf({ origin, name }: SharedModel): ModelEntry | undefined {
-  const byOrigin = origin.kind === "files" ? undefined : models.value.find((entry) => isSame(entry.origin, origin));
-  return byOrigin ?? models.value.find(({ id }) => id === name);
+export function entryOf(shared: SharedModel): ModelEntry | undefined {
+  return models.value.find(({ origin }) => isSame(origin, shared.origin)) ?? models.value.find((entry) => isNamesake(entry, shared));
 }
 
-function isSame(a: SharedOrigin, b: SharedOrigin): boolean {
-  if (a.kind === "sample" && b.kind === "sample") {
-    const options = new Set([...Object.keys(a.options), ...Object.keys(b.options)]) as Set<keyof typeof a.options>;
-    return a.part === b.part && [...options].every((option) => a.options[option] === b.options[option]);
-  }
-  if (a.kind !== "public" || b.kind !== "public") return false;
-  return a.model !== undefined && a.model.set === b.model?.set && a.model.number === b.model.number;
+function isSame(here: Origin, shared: SharedOrigin): boolean {
+  if (shared.kind === "sample") return isSameSample(here, shared);
+  if (shared.kind !== "public" || here.kind !== "public") return false;
+  return shared.model?.set === here.model.set && shared.model.number === here.model.number;
 }
 
-/** What having some of the models again takes. */
-export interface Work {
-  readonly samples: number;
-  readonly downloads: number;
-  readonly fits: number;
+/** By name alone: files that the reader brought. A sample of that name may be another sample of the part. */
+function isNamesake({ id, origin }: ModelEntry, { name, origin: shared }: SharedModel): boolean {
+  if (id !== name || shared.kind === "sample") return false;
+  // Links of version 1 do not say which public model it was.
+  return origin.kind === "files" || (origin.kind === "public" && shared.kind === "public" && shared.model === undefined);
 }
 
-export function workOf({ models: shared, claims }: SharedResults, places: readonly number[]): Work {
-  const absent = absentAmong(shared, places);
-  const of = (kind: SharedOrigin["kind"]) => absent.filter((place) => shared[place]?.origin.kind === kind).length;
-  const fits = claims.filter(({ model, fitted }) => fitted && places.includes(model)).length;
-  return { samples: of("sample"), downloads: of("public"), fits };
+/** Whether a claim's submission can be had without the reader's doing: fitted again, or with the model. */
+function isRecomputable(claim: Claim, model: SharedModel): boolean {
+  const isHere = entryOf(model) !== undefined;
+  return claim.fitted ? isHere || isRebuildable(model) : !isHere && comesAlong(claim, model);
+}
+
+/** A sample comes with its imperfect submission, a public model with the published results. */
+function comesAlong(claim: Claim, model: SharedModel): boolean {
+  return !claim.fitted && isRebuildable(model) && (model.origin.kind === "sample" || isPublished(claim));
+}
+
+/** What is to be had again of a link. */
+export interface Wanted {
+  /** Places of models among those of the link. */
+  readonly models: readonly number[];
+  /** The one of them that comes into view. */
+  readonly shown?: number | undefined;
+  /** Claims to be fitted for. */
+  readonly fits: readonly Claim[];
+}
+
+/** What of a link nobody has had again yet. */
+export function restOf({ models: shared, claims }: SharedResults): Wanted {
+  const open = new Set(judged.value.filter(({ verdict }) => verdict.kind === "claimed" || verdict.kind === "other files").map(({ claim }) => claim));
+  const fits = claims.filter((claim) => {
+    const model = shared[claim.model];
+    return claim.fitted && model && open.has(claim) && isRecomputable(claim, model);
+  });
+  return { models: absentAmong(shared, [...shared.keys()]), fits };
+}
+
+/** What having it again takes, in words; nothing where there is nothing to be had. */
+export function workOf({ models: shared }: SharedResults, { models: places, fits }: Wanted): string | undefined {
+  const of = (kind: SharedOrigin["kind"]) => places.filter((place) => shared[place]?.origin.kind === kind).length;
+  const [samples, downloads] = [of("sample"), of("public")];
+  const parts = [
+    samples > 0 && `make ${plural(samples, "sample")}`,
+    downloads > 0 && `download ${plural(downloads, "public model")}`,
+    fits.length > 0 && `repeat ${plural(fits.length, "fit")}`,
+  ].filter((part) => part !== false);
+  const text = parts.join(", ");
+  return text === "" ? undefined : text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 function absentAmong(shared: readonly SharedModel[], places: readonly number[]): number[] {
   return places.filter((place) => {
     const model = shared[place];
-    return model !== undefined && entryOf(model) === undefined;
+    return model !== undefined && isRebuildable(model) && entryOf(model) === undefined;
   });
 }
 
-/** Whether models are being had again just now. */
-export const rebuilding = signal(false);
+/** What is being had again just now. */
+export interface Rebuilding {
+  /** Claims whose figures are awaited. */
+  readonly awaited: ReadonlySet<Claim>;
+  readonly stop: () => void;
+}
 
-/**
- * Has the models at these places again that are not here, and then their fits. What fails is told by its own part of
- * the page. Samples made quietly do not come into view.
- */
-export async function rebuild(results: SharedResults, places: readonly number[], how: "shown" | "quiet" = "shown"): Promise<void> {
-  if (places.length === 0) return;
-  rebuilding.value = true;
+export const rebuilding = signal<Rebuilding | undefined>(undefined);
+
+/** How a claim that nothing here bears out yet stands. */
+export type Recomputing = "under way" | "not done" | "not possible";
+
+export function recomputingOf({ claim, model }: JudgedClaim): Recomputing {
+  if (rebuilding.value?.awaited.has(claim)) return "under way";
+  return isRecomputable(claim, model) ? "not done" : "not possible";
+}
+
+/** Ends the making of samples, the download and the fits that a link asked for. What is here stays. */
+export function stopRebuilding(): void {
+  rebuilding.peek()?.stop();
+}
+
+/** Has again what is wanted and not here. What fails is told by its own part of the page; what became of the fits, in one sentence. */
+export async function rebuild(results: SharedResults, wanted: Wanted): Promise<void> {
+  stopRebuilding();
+  const places = absentAmong(results.models, wanted.models);
+  if (places.length + wanted.fits.length === 0) return;
+  const controller = new AbortController();
+  const { signal: stopped } = controller;
+  const isAlong = (claim: Claim) => {
+    const model = results.models[claim.model];
+    return model !== undefined && comesAlong(claim, model);
+  };
+  const own: Rebuilding = {
+    awaited: new Set(results.claims.filter((claim) => wanted.fits.includes(claim) || (places.includes(claim.model) && isAlong(claim)))),
+    stop: () => controller.abort(new DOMException("Stopped by the reader.", "AbortError")),
+  };
+  rebuilding.value = own;
   try {
-    const absent = absentAmong(results.models, places);
-    for (const place of absent) {
-      const origin = results.models[place]?.origin;
-      if (origin?.kind === "sample") await makeSample(origin.part, origin.options, how);
-    }
-    await fetchAgain(results, absent);
-    await fitAgain(results.models, results.claims.filter(({ model }) => places.includes(model)));
+    await makeAgain(results, places, wanted.shown, stopped);
+    await fetchAgain(results, places, controller);
+    await fitAgain(results, wanted.fits, stopped);
+    if (!stopped.aborted) await judgedOf(own.awaited);
   } finally {
-    rebuilding.value = false;
+    if (rebuilding.value === own) rebuilding.value = undefined;
   }
 }
 
-async function fetchAgain({ models: shared, claims }: SharedResults, places: readonly number[]): Promise<void> {
+/** What is here must still be scored and hashed; what could not be had never will be. */
+const JUDGING_MS = 1500;
+
+function judgedOf(claims: ReadonlySet<Claim>): Promise<void> {
+  return new Promise((resolve) => {
+    const timer = setTimeout(end, JUDGING_MS);
+    const stop = effect(() => {
+      if (!judged.value.some(({ claim, verdict }) => claims.has(claim) && verdict.kind === "claimed")) queueMicrotask(end);
+    });
+    function end(): void {
+      clearTimeout(timer);
+      stop();
+      resolve();
+    }
+  });
+}
+
+/** What comes into view comes first. */
+async function makeAgain({ models: shared }: SharedResults, places: readonly number[], shown: number | undefined, stopped: AbortSignal): Promise<void> {
+  const inOrder = [...places.filter((place) => place === shown), ...places.filter((place) => place !== shown)];
+  for (const place of inOrder) {
+    if (stopped.aborted) return;
+    const origin = shared[place]?.origin;
+    if (origin?.kind === "sample") await makeSample(origin.part, origin.options, place === shown ? "shown" : "quiet", stopped);
+  }
+}
+
+async function fetchAgain({ models: shared, claims }: SharedResults, places: readonly number[], controller: AbortController): Promise<void> {
   const base = publicBase();
   if (base.kind === "refused") return;
   for (const { name: set } of SETS) {
@@ -87,7 +176,10 @@ async function fetchAgain({ models: shared, claims }: SharedResults, places: rea
         const published = claims.some((claim) => claim.model === place && isPublished(claim));
         return model?.set === set && published === withResults ? [model.number] : [];
       });
-      if (numbers.length > 0) await downloadModels(base.address, { set, numbers, withResults });
+      if (numbers.length === 0 || controller.signal.aborted) continue;
+      const ending = await downloadModels(base.address, { set, numbers, withResults }, controller.signal);
+      // Whoever stops the download does not want the rest either.
+      if (ending === "stopped") controller.abort();
     }
   }
 }
@@ -100,14 +192,17 @@ function isPublished({ method, fitted }: Claim): boolean {
   return fitted === undefined && PUBLISHED.includes(method);
 }
 
-/** Models that were fitted alike are fitted together. */
-async function fitAgain(shared: readonly SharedModel[], claims: readonly Claim[]): Promise<void> {
-  const ways = new Set(claims.map(({ fitted }) => fitted).filter((fitted) => fitted !== undefined));
-  for (const request of ways) {
-    const entries = claims.flatMap(({ model, fitted }) => {
-      const named = fitted === request ? shared[model] : undefined;
-      return (named && entryOf(named)) ?? [];
-    });
-    await fitModels(entries, request);
-  }
+/** Fits of one model are in the order of the claims, in which they got their names. */
+async function fitAgain({ models: shared }: SharedResults, claims: readonly Claim[], stopped: AbortSignal): Promise<void> {
+  const jobs = claims.flatMap(({ model, fitted }) => {
+    const entry = shared[model] && entryOf(shared[model]);
+    return entry && fitted ? [{ model: entry.id, request: fitted }] : [];
+  });
+  if (jobs.length === 0 || stopped.aborted) return;
+  const tally = await fitModels(jobs, { signal: stopped, quiet: true });
+  if (!tally) return notify("The fits of the link were not repeated: another fit is under way.");
+  const { done, failed, stopped: ended } = tally;
+  const rest = [ended > 0 && `${ended} stopped`, failed > 0 && `${failed} failed`].filter((part) => part !== false);
+  const count = plural(jobs.length, "fit");
+  notify(`${done === jobs.length ? count : `${done} of ${count}`} of the link repeated here${rest.length > 0 ? `; ${rest.join(", ")}` : ""}.`, failed > 0 ? "error" : "info");
 }

@@ -11,6 +11,7 @@ import ScoresPanel from "../scores/panel";
 import SharedPanel from "../sharing/panel";
 import { Standing } from "../sharing/banner";
 import { isLinkOpen, opened } from "../sharing/opened";
+import { rebuilding, stopRebuilding } from "../sharing/rebuild";
 import { Stage } from "../stage/stage";
 import { models } from "../state/models";
 import { plural } from "../ui/format";
@@ -25,6 +26,11 @@ export default function Embed(): JSX.Element {
           Fit4CAD <span>Playground</span>
         </h1>
         <p role="status">{shared ? <Standing embedded /> : hasScene && plural(models.value.length, "model")}</p>
+        {rebuilding.value && (
+          <button type="button" onClick={stopRebuilding}>
+            Stop recomputing
+          </button>
+        )}
         <a href={fullAddress()} target="_blank" rel="noopener">
           Open full
         </a>

@@ -3,9 +3,11 @@
 import { proxy } from "comlink";
 import { batch, computed, signal, type Signal } from "@preact/signals";
 import { engine } from "../engine/client";
-import type { FitRequest, FittedModel, ModelSource } from "../../worker/protocol";
+import type { FitRequest, FittedModel } from "../../worker/protocol";
+import { plural } from "../ui/format";
+import { without } from "./content";
 import { addSubmission, isMadeHere } from "./inbox";
-import type { ModelEntry } from "./models";
+import { models } from "./models";
 import { notify } from "./notices";
 import { selectedModel, selectModel } from "./selection";
 
@@ -16,18 +18,40 @@ export type FitState =
   | { readonly kind: "stopped" }
   | { readonly kind: "failed"; readonly message: string };
 
-/** One model of a run. Its state changes often, so it is a signal of its own. */
+/** One fit of a run. Its state changes often, so it is a signal of its own. */
 export interface Fit {
   readonly model: string;
+  readonly request: FitRequest;
   readonly state: Signal<FitState>;
   readonly stop: () => void;
 }
 
 export interface FitRun {
-  readonly request: FitRequest;
   readonly fits: readonly Fit[];
   /** `performance.now()` when it began. */
   readonly since: number;
+  /** Ends all fits not yet done. */
+  readonly stop: () => void;
+}
+
+/** A model, by its name, and how to fit it. */
+export interface FitJob {
+  readonly model: string;
+  readonly request: FitRequest;
+}
+
+/** What became of the fits of a run. */
+export interface FitTally {
+  readonly done: number;
+  readonly stopped: number;
+  readonly failed: number;
+}
+
+export interface FitOptions {
+  /** Stops the run. */
+  readonly signal?: AbortSignal;
+  /** Shows no submission it makes, and leaves it to the caller to tell the end. */
+  readonly quiet?: boolean;
 }
 
 /** The run under way, or the last one. */
@@ -73,30 +97,46 @@ export const fitProgress = computed<FitProgress | undefined>(() => {
 /** Submissions made here, by model and settings: fitting the same again replaces the first. */
 const madeWith = new Map<string, string>();
 
-/** Fits the models, unless a run is under way; resolves when all of them are done or stopped. */
-export async function fitModels(entries: readonly ModelEntry[], request: FitRequest): Promise<void> {
-  if (fitProgress.peek() || entries.length === 0) return;
-  const jobs = entries.map((entry) => {
+/**
+ * Does the fits; nothing where a run is under way. Resolves when all of them are done or stopped. Those of one model
+ * are done one after the other, each knowing what the earlier ones are called.
+ */
+export async function fitModels(jobs: readonly FitJob[], { signal: stopped, quiet = false }: FitOptions = {}): Promise<FitTally | undefined> {
+  if (fitProgress.peek()) return undefined;
+  const begun = jobs.map(({ model, request }) => {
     const controller = new AbortController();
     const fit: Fit = {
-      model: entry.id,
+      model,
+      request,
       state: signal<FitState>({ kind: "queued" }),
       stop: () => controller.abort(new DOMException("Stopped by the reader.", "AbortError")),
     };
-    return { entry, fit, signal: controller.signal };
+    return { fit, signal: controller.signal };
   });
-  fitRun.value = { request, fits: jobs.map(({ fit }) => fit), since: performance.now() };
-  await Promise.all(jobs.map(({ entry, fit, signal }) => perform(entry, fit, request, signal)));
-  tellEnd();
+  const fits = begun.map(({ fit }) => fit);
+  const stop = () => batch(() => fits.forEach((fit) => fit.stop()));
+  if (stopped?.aborted) stop();
+  stopped?.addEventListener("abort", stop, { once: true });
+  const run: FitRun = { fits, since: performance.now(), stop };
+  fitRun.value = run;
+  const lanes = new Map<string, Promise<void>>();
+  for (const { fit, signal } of begun) {
+    const earlier = lanes.get(fit.model) ?? Promise.resolve();
+    lanes.set(fit.model, earlier.then(() => perform(fit, signal, quiet)));
+  }
+  await Promise.all(lanes.values());
+  stopped?.removeEventListener("abort", stop);
+  if (!quiet) tellEnd(run);
+  return { done: countOf(run, "done"), stopped: countOf(run, "stopped"), failed: countOf(run, "failed") };
 }
 
 /** Stops every fit under way. What is fitted stays. */
 export function cancelFitting(): void {
-  batch(() => fitRun.peek()?.fits.forEach(({ stop }) => stop()));
+  fitRun.peek()?.stop();
 }
 
-async function perform(entry: ModelEntry, fit: Fit, request: FitRequest, signal: AbortSignal): Promise<void> {
-  const { id } = entry;
+async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<void> {
+  const { model: id, request } = fit;
   const settings = JSON.stringify([id, request]);
   const earlier = madeWith.get(settings);
   // It may be gone, and a brought submission have its name.
@@ -108,13 +148,15 @@ async function perform(entry: ModelEntry, fit: Fit, request: FitRequest, signal:
   });
   const urgency = id === selectedModel.peek() ? "foreground" : "idle";
   try {
-    const source = without(entry.source, replaced);
+    const known = models.peek().find((entry) => entry.id === id)?.source;
+    if (!known) throw new Error(`${id} is no longer on the page.`);
+    const source = replaced === undefined ? known : without(known, replaced);
     const result = await engine.run((api) => api.fit(source, request, onStage), { signal, urgency });
     batch(() => {
       fit.state.value = { kind: "done", result };
       madeWith.set(settings, result.method);
       addSubmission(id, result.method, result.files, request);
-      if (id === selectedModel.peek()) selectModel(id, result.method);
+      if (!quiet && id === selectedModel.peek()) selectModel(id, result.method);
     });
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
@@ -122,27 +164,25 @@ async function perform(entry: ModelEntry, fit: Fit, request: FitRequest, signal:
   }
 }
 
-/** The files of a model save those of one submission. */
-function without(source: ModelSource, method: string | undefined): ModelSource {
-  if (method === undefined) return source;
-  const files = source.files.filter((file) => file.method !== method);
-  return { ...source, key: `${source.key}\nwithout ${method}`, files };
+function countOf({ fits }: FitRun, kind: FitState["kind"]): number {
+  return fits.filter(({ state }) => state.peek().kind === kind).length;
 }
 
-function tellEnd(): void {
-  const run = fitRun.peek();
-  if (!run) return;
-  const states = run.fits.map(({ state }) => state.peek());
-  const count = (kind: FitState["kind"]) => states.filter((state) => state.kind === kind).length;
-  const [only] = states.length === 1 ? states : [];
-  const name = run.request.method.toUpperCase();
-  if (only?.kind === "done") {
-    const { primitives, seconds } = only.result;
-    notify(`${name} found ${primitives} primitives in ${run.fits[0]?.model}, in ${seconds.toFixed(2)} s.`);
-  } else if (only?.kind === "failed") {
-    notify(`${run.fits[0]?.model} could not be fitted: ${only.message}`, "error");
+function tellEnd(run: FitRun): void {
+  const [first] = run.fits;
+  if (!first) return;
+  const name = first.request.method.toUpperCase();
+  const state = first.state.peek();
+  const alone = run.fits.length === 1;
+  if (alone && state.kind === "done") {
+    const { primitives, seconds } = state.result;
+    notify(`${name} found ${plural(primitives, "primitive")} in ${first.model}, in ${seconds.toFixed(2)} s.`);
+  } else if (alone && state.kind === "failed") {
+    notify(`${first.model} could not be fitted: ${state.message}`, "error");
   } else {
-    const rest = [count("stopped") && `${count("stopped")} stopped`, count("failed") && `${count("failed")} failed`].filter(Boolean);
-    notify(`${name} fitted ${count("done")} of ${states.length}${rest.length > 0 ? `; ${rest.join(", ")}` : ""}.`, count("failed") > 0 ? "error" : "info");
+    const [stopped, failed] = [countOf(run, "stopped"), countOf(run, "failed")];
+    const rest = [stopped > 0 && `${stopped} stopped`, failed > 0 && `${failed} failed`].filter((part) => part !== false);
+    const whole = `${name} fitted ${countOf(run, "done")} of ${run.fits.length}`;
+    notify(`${whole}${rest.length > 0 ? `; ${rest.join(", ")}` : ""}.`, failed > 0 ? "error" : "info");
   }
 }

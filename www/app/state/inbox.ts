@@ -7,7 +7,8 @@ import { batch, computed, signal } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { Grouping, Override } from "../engine/contract";
 import type { PublicModel } from "../public/catalogue";
-import type { FitRequest, ModelFile, ModelSource } from "../../worker/protocol";
+import type { FitRequest, ModelFile } from "../../worker/protocol";
+import { sourceOf } from "./content";
 import { models, type ModelEntry, type Origin } from "./models";
 import { scoreAll } from "./scoring";
 import { notify } from "./notices";
@@ -88,13 +89,30 @@ export async function override(path: string, change: Override): Promise<void> {
 /** How a model comes on the page: into view, aside of what is in view, or until something is brought. */
 export type Entrance = "shown" | "quiet" | "opening";
 
-/** Puts a model on the page that was made here. */
-export function addMade(name: string, origin: Origin, files: readonly ModelFile[], how: Entrance): void {
+/** Puts a model on the page that was made here, beside what is there: where its name is taken, it gets a number. The result is its name. */
+export function addMade(wanted: string, origin: Origin, files: readonly ModelFile[], how: Entrance): string | undefined {
   // It makes room for what was brought while it was being made, too.
-  if (how === "opening" && models.value.length > 0) return;
+  if (how === "opening" && models.value.length > 0) return undefined;
+  const name = freeName(wanted, models.value.map(({ id }) => id));
   made.value = new Map(made.value).set(name, { origin, files, fits: {}, makesRoom: how === "opening" });
   assemble(lastGrouping);
   if (how !== "quiet") selectModel(name);
+  return name;
+}
+
+/** Asks for a model made here that is on the page already: it stays, whatever is brought. */
+export function keepMade(name: string, how: Entrance): void {
+  const known = made.value.get(name);
+  if (!known || how === "opening") return;
+  made.value = new Map(made.value).set(name, { ...known, makesRoom: false });
+  if (how === "shown") selectModel(name);
+}
+
+function freeName(wanted: string, taken: readonly string[]): string {
+  if (!taken.includes(wanted)) return wanted;
+  let number = 2;
+  while (taken.includes(`${wanted}-${number}`)) number += 1;
+  return `${wanted}-${number}`;
 }
 
 /** Adds a submission made here (by a fitter) to a model that is on the page. */
@@ -164,10 +182,25 @@ function regroup(): Promise<void> {
 async function sortAnew(): Promise<void> {
   const paths = [...brought.value.keys()];
   lastGrouping = await engine.run((api) => api.group(paths, overrides.value));
-  if (lastGrouping.models.length > 0) {
-    made.value = new Map([...made.value].filter(([, { makesRoom }]) => !makesRoom));
+  const names = lastGrouping.models.map(({ name }) => name);
+  if (names.length > 0) {
+    made.value = renamed(new Map([...made.value].filter(([, { makesRoom }]) => !makesRoom)), names);
   }
   assemble(lastGrouping);
+}
+
+/** Models made here that have the name of brought ones get others. What was only fitted here goes with the model it is for. */
+function renamed(all: ReadonlyMap<string, Made>, brought: readonly string[]): ReadonlyMap<string, Made> {
+  const taken = [...brought, ...all.keys()];
+  const isModel = ({ files }: Made) => files.some(({ method }) => method === undefined);
+  return new Map(
+    Array.from(all, ([name, own]) => {
+      if (!isModel(own) || !brought.includes(name)) return [name, own];
+      const free = freeName(name, taken);
+      taken.push(free);
+      return [free, own];
+    }),
+  );
 }
 
 function assemble(grouping: Grouping): void {
@@ -207,20 +240,7 @@ function withContent(files: Grouping["models"][number]["files"]): ModelFile[] {
 }
 
 function entryOf(id: string, number: number | undefined, origin: Origin, files: readonly ModelFile[]): ModelEntry {
-  const source: ModelSource = { key: keyOf(id, files), name: id, files };
+  const source = sourceOf(id, files);
   const known = models.value.find((entry) => entry.source.key === source.key);
   return { id, number, origin, source, status: known?.status ?? { kind: "waiting" } };
-}
-
-const identities = new WeakMap<Blob, number>();
-let lastIdentity = 0;
-
-/** Names the content by the identity of its blobs, so that a changed file makes a changed key. */
-function keyOf(id: string, files: readonly ModelFile[]): string {
-  const parts = files.map(({ path, role, method, data }) => {
-    const identity = identities.get(data) ?? ++lastIdentity;
-    identities.set(data, identity);
-    return `${path}|${role}|${method ?? ""}|${identity}`;
-  });
-  return [id, ...parts].join("\n");
 }

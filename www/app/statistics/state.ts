@@ -7,7 +7,7 @@ import { latest } from "../engine/latest";
 import { survey } from "../engine/survey";
 import { models } from "../state/models";
 import { notify } from "../state/notices";
-import { truthOnly } from "../state/truth";
+import { truthOnly } from "../state/content";
 import { setsOf } from "./sets";
 
 export const counts = survey<ModelStatistics>((api, source) => api.statistics(source));

@@ -8,7 +8,6 @@ import { zip } from "../export/zip";
 import { goToPanel } from "../shell/panels";
 import { goTo, HOME } from "../shell/router";
 import { addMade } from "../state/inbox";
-import { models } from "../state/models";
 import { notify } from "../state/notices";
 import type { ModelFile } from "../../worker/protocol";
 import { isGenerated } from "./case";
@@ -78,20 +77,11 @@ async function save(): Promise<void> {
 }
 
 async function handOver(): Promise<void> {
-  const name = freeName(safe(current.value.name));
-  addMade(name, { kind: "files" }, await filesOf(name), "shown");
+  const name = safe(current.value.name);
+  const called = addMade(name, { kind: "files" }, await filesOf(name), "shown");
   goTo(HOME);
   goToPanel("fit");
-  notify(`${name} is on the page: fit it with either method, or drop results for it.`);
-}
-
-/** A name that no model on the page has: nothing there is replaced. */
-function freeName(name: string): string {
-  const taken = (candidate: string) => models.value.some(({ id }) => id === candidate);
-  if (!taken(name)) return name;
-  let number = 2;
-  while (taken(`${name}-${number}`)) number += 1;
-  return `${name}-${number}`;
+  notify(`${called} is on the page: fit it with either method.`);
 }
 
 async function attempt(work: () => Promise<void>): Promise<void> {
