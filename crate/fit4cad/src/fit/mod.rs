@@ -12,6 +12,7 @@
 //! ```
 
 pub mod axes;
+pub mod contest;
 pub mod detect;
 pub mod growing;
 pub mod hough;
@@ -19,11 +20,13 @@ pub mod least_squares;
 pub mod local;
 pub mod parameters;
 pub mod progress;
+pub mod pure;
 pub mod quadric;
 pub mod scale;
 pub mod search;
 pub mod specks;
 pub mod stages;
+pub mod thin;
 pub mod trace;
 
 pub use parameters::Parameters;

@@ -1,16 +1,18 @@
 //! The search of HT: vote, pick persistent peaks, polish, let them compete, remove what the winners
 //! explain, and vote again until nothing is left to find.
 
-use super::axis::known_axes;
-use super::borders::Borders;
-use super::coaxial::{coaxial_votes, mixed_coaxial_votes, ring_votes};
 use super::family::Region;
 use super::noisy;
-use super::rounds::{Evidence, round};
-use super::solutions;
-use super::swept::{recurring_directions, swept_votes};
+use super::recurring::recurring_directions;
+use super::rounds::round;
+use super::solutions::{self, vote};
 use super::trace::Recorder;
 use super::vote::{Spaces, Vote};
+use crate::fit::contest::Evidence;
+use crate::fit::thin::axis::known_axes;
+use crate::fit::thin::borders::Borders;
+use crate::fit::thin::coaxial::{coaxial, mixed_coaxial};
+use crate::fit::thin::{self, Proposer};
 use crate::fit::{Cancelled, Observer, Search, Stage};
 use crate::surface::SurfaceType;
 
@@ -25,10 +27,6 @@ const FIRST_VOTERS: u32 = 6000;
 const BATCH: usize = 48;
 /// Points blocked around a seed of a mixed neighbourhood that leads nowhere.
 const BLOCK: usize = 8;
-/// Passes over the open borders: what one settles may be the border of a next.
-const BORDER_PASSES: usize = 3;
-/// Free points of the neighbourhoods that vote for thin faces.
-const BORDER_SIZES: [usize; 3] = [10, 16, 28];
 /// The families that closed forms start well; a torus costs far more to try.
 const QUICK: [SurfaceType; 4] = [
     SurfaceType::Plane,
@@ -119,7 +117,8 @@ impl Work<'_> {
             self.pass(search, pass, &mut |search, seed, votes, _| {
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= 6 {
-                    coaxial_votes(search, &axes, seed, &patch, votes);
+                    let found = coaxial(search, &axes, &patch).into_iter();
+                    votes.extend(found.map(|surface| vote(search, seed, surface)));
                 }
             })?;
         }
@@ -132,7 +131,8 @@ impl Work<'_> {
             let patch = search.unexplained_near(seed, 16);
             let before = votes.len();
             if patch.len() >= 8 {
-                mixed_coaxial_votes(search, &axes, seed, &patch, votes);
+                let found = mixed_coaxial(search, &axes, &patch).into_iter();
+                votes.extend(found.map(|surface| vote(search, seed, surface)));
             }
             if votes.len() == before {
                 block(&patch, blocked);
@@ -164,9 +164,9 @@ impl Work<'_> {
             })?;
         }
         let mut borders = Borders::of(search);
-        let mut looked = [None; BORDER_SIZES.len()];
-        for _ in 0..BORDER_PASSES {
-            if self.borders(search, &mut borders, &mut looked) == 0 {
+        let mut proposer = Proposer::default();
+        for _ in 0..thin::PASSES {
+            if self.borders(search, &mut borders, &mut proposer) == 0 {
                 break;
             }
         }
@@ -240,62 +240,19 @@ impl Work<'_> {
 
     /// Rounds of votes by points on open borders and those still unexplained. Returns how many
     /// surfaces were accepted. O(free points).
-    ///
-    /// `looked` is how many had been when each size was looked at last. Where none has been accepted
-    /// since, nothing is new, and the points do not vote again: clouds with large free-form regions
-    /// have thousands of such points.
     fn borders(
         &mut self,
         search: &mut Search<'_>,
         borders: &mut Borders,
-        looked: &mut [Option<usize>],
+        proposer: &mut Proposer,
     ) -> usize {
-        let axes = known_axes(search);
-        let directions = recurring_directions(search, self.spaces.directions());
-        let radius = 4.0 * search.scale.spacing;
+        proposer.directions = recurring_directions(search, self.spaces.directions());
         let mut accepted = 0;
-        for (size, looked) in BORDER_SIZES.into_iter().zip(looked) {
-            let before = looked.replace(search.accepted().len());
-            let is_old = |borders: &Borders, points: &[u32]| {
-                before.is_some_and(|before| !borders.is_new(points, before))
-            };
-            let seeds = (0..search.cloud.len() as u32).filter(|&index| borders.is_free(index));
-            let mut votes = Vec::new();
-            let mut near = Vec::new();
-            for seed in seeds {
-                if is_old(borders, search.graph.of(seed)) {
-                    continue;
-                }
-                let point = search.point(seed);
-                search
-                    .tree
-                    .nearest(point, size, radius, |i| borders.is_free(i), &mut near);
-                let patch: Vec<u32> = near.iter().map(|neighbour| neighbour.index).collect();
-                if !search.is_explained(seed) && size == BORDER_SIZES[0] {
-                    // A few points may be all that a small face has of its own.
-                    let around = search.graph.of(seed).iter().copied();
-                    let around: Vec<u32> = std::iter::once(seed).chain(around).collect();
-                    if around.iter().any(|&i| search.is_explained(i)) {
-                        swept_votes(search, &directions, seed, &around, &mut votes);
-                    }
-                }
-                // Away from all borders nothing is new since the passes before.
-                if patch.len() < 6 || !patch.iter().any(|&i| search.is_explained(i)) {
-                    continue;
-                }
-                let before = votes.len();
-                ring_votes(search, borders, &axes, seed, &patch, &mut votes);
-                swept_votes(search, &directions, seed, &patch, &mut votes);
-                if votes.len() == before
-                    && let Some(vote) = solutions::pure_vote(search, seed, &patch)
-                {
-                    // Two rows of border points are in a plane and in any number of quadrics.
-                    let inside = patch.iter().filter(|&&i| !search.is_explained(i)).count();
-                    if 10 * inside >= patch.len() || vote.surface.kind() == SurfaceType::Plane {
-                        votes.push(vote);
-                    }
-                }
-            }
+        for size in 0..thin::SIZES.len() {
+            let proposals = proposer.proposals(search, borders, size).into_iter();
+            let votes: Vec<Vote> = proposals
+                .map(|(seed, surface)| vote(search, seed, surface))
+                .collect();
             std::mem::swap(&mut self.spaces, &mut self.fine);
             accepted += round(search, self, &votes, &mut Evidence::Borders(borders));
             std::mem::swap(&mut self.spaces, &mut self.fine);

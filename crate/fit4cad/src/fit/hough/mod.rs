@@ -9,12 +9,12 @@
 //! (a randomised Hough transform): one vote is one cell, so that accumulators can be sparse and fine.
 //!
 //! ```text
-//! solutions                     neighbourhoods → votes
-//! axis, coaxial, swept, borders   thin faces: profiles about axes and along directions → votes
+//! solutions                     neighbourhoods → votes, besides those of thin faces (`fit::thin`)
 //! family, vote                  votes → ladder of small spaces → consensus of each peak's voters
 //!   directions, grid              the spaces: half the Gauss sphere; boxes of up to three axes
 //!   accumulator, persistence      𝓗 and its maxima above 10 % of the highest
-//! rounds                        summits → grown and polished → compete → accepted
+//! rounds                        summits → grown and polished → compete (`fit::contest`) → accepted
+//! recurring                     directions that the accepted surfaces have in common
 //! find, noisy                   rounds until nothing is left, without and with noise
 //! gamma, trace                  Γ_P of single points and everything above as data, for lessons
 //! ```
@@ -25,10 +25,6 @@
 //! neighbours show.
 
 pub mod accumulator;
-mod axis;
-mod borders;
-mod coaxial;
-mod curve;
 pub mod directions;
 pub mod family;
 mod find;
@@ -36,12 +32,10 @@ pub mod gamma;
 pub mod grid;
 mod noisy;
 pub mod persistence;
-mod profile;
+mod recurring;
 mod rounds;
-mod rows;
 mod solutions;
 pub mod space;
-mod swept;
 pub mod trace;
 pub mod vote;
 

@@ -77,6 +77,7 @@ impl KnownAxis {
         }
     }
 
+    /// The point of the axis at a height.
     pub fn at(&self, height: f64) -> Point {
         self.point + self.direction.into_inner() * height
     }

@@ -1,15 +1,10 @@
-//! Votes of thin faces, from the directions and axes of the surfaces beside them.
+//! Surfaces of thin faces, from the directions and axes of the surfaces beside them.
 //!
 //! Three rulings lie on a cylinder, whatever they are, and three rings on a torus. Which of these
 //! are faces, the borders tell: a face ends where its neighbours do.
 
-use super::accumulator::{Accumulator, Ballot};
 use super::axis::KnownAxis;
-use super::directions::DirectionSpace;
-use super::family::direction;
 use super::profile::{self, Curve, Place};
-use super::solutions::vote;
-use super::vote::Vote;
 use crate::cloud::{Direction, Point, Vector};
 use crate::fit::Search;
 use crate::fit::axes::axis_of;
@@ -20,50 +15,10 @@ const SAME: f64 = 1e-4;
 /// Most surfaces beside a neighbourhood whose directions are tried.
 const BESIDE: usize = 6;
 
-/// Most directions of the whole cloud that are tried everywhere.
-const RECURRING: usize = 6;
-/// Share of the most persistent direction's votes that makes one recurring.
-const SHARE: f64 = 0.02;
-
-/// The directions that normals and axes of the accepted surfaces have in common: maxima of their
-/// accumulator on the Gauss sphere, where a surface has as many votes as points. Narrow faces run
-/// along one of them, even where no neighbour tells which.
-pub fn recurring_directions(search: &Search<'_>, space: &DirectionSpace) -> Vec<Direction> {
-    let accepted = search.accepted();
-    let ballots = (0_u32..).zip(accepted).filter_map(|(voter, candidate)| {
-        let direction = direction(&candidate.surface)?;
-        Some(Ballot {
-            cell: space.cell(&direction)?,
-            voter,
-            weight: candidate.support.len() as f32,
-        })
-    });
-    let accumulator = Accumulator::count(ballots.collect());
-    let diagram = accumulator.maxima(space);
-    diagram
-        .significant(SHARE)
-        .take(RECURRING)
-        .filter_map(|peak| {
-            let voters = accumulator.voters_of(space, &diagram, peak);
-            // The largest surface knows its direction best.
-            let best = voters
-                .into_iter()
-                .max_by_key(|&voter| accepted[voter as usize].support.len())?;
-            direction(&accepted[best as usize].surface)
-        })
-        .collect()
-}
-
-/// The votes of a neighbourhood for faces extruded along, or turned about, what the surfaces beside
+/// The surfaces of a neighbourhood that are extruded along, or turned about, what the surfaces beside
 /// it have in common, normals and axes, and the edges in which they meet, or along what recurs in the
 /// whole cloud. O(surfaces² × points).
-pub fn swept_votes(
-    search: &Search<'_>,
-    recurring: &[Direction],
-    index: u32,
-    patch: &[u32],
-    found: &mut Vec<Vote>,
-) {
+pub fn swept(search: &Search<'_>, recurring: &[Direction], patch: &[u32]) -> Vec<Surface> {
     let mut beside = search.surfaces_beside(patch);
     beside.truncate(BESIDE);
     let points = search.points(patch);
@@ -82,11 +37,7 @@ pub fn swept_votes(
         turned(&points, axis, search.scale.tolerance, &mut surfaces);
     }
     surfaces.retain(|surface| search.is_plausible(surface));
-    found.extend(
-        surfaces
-            .into_iter()
-            .map(|surface| vote(search, index, surface)),
-    );
+    surfaces
 }
 
 /// Directions along which a face between these surfaces may be extruded.

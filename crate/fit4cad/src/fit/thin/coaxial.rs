@@ -1,23 +1,16 @@
-//! Votes along known axes: few points determine a curve of the half-plane, so an axis turns
-//! neighbourhoods too small for a torus of their own into votes.
+//! Surfaces about known axes: few points determine a curve of the half-plane, so that with an axis
+//! neighbourhoods too small for a torus of their own give one.
 
 use super::axis::{KnownAxis, Profile};
 use super::borders::Borders;
 use super::curve::circle;
-use super::solutions::vote;
-use super::vote::Vote;
 use crate::fit::Search;
 use crate::surface::Surface;
 
-/// The votes of a neighbourhood along the known axes: surfaces of revolution that all of its points
-/// lie on. O(axes × points).
-pub fn coaxial_votes(
-    search: &Search<'_>,
-    axes: &[KnownAxis],
-    index: u32,
-    patch: &[u32],
-    found: &mut Vec<Vote>,
-) {
+/// The surfaces of revolution about the known axes that all points of a neighbourhood lie on.
+/// O(axes × points).
+pub fn coaxial(search: &Search<'_>, axes: &[KnownAxis], patch: &[u32]) -> Vec<Surface> {
+    let mut found = Vec::new();
     let tolerance = search.scale.tolerance;
     let points = search.points(patch);
     for axis in axes {
@@ -31,9 +24,10 @@ pub fn coaxial_votes(
                 .iter()
                 .all(|p| surface.distance(p) <= 2.0 * tolerance)
         {
-            found.push(vote(search, index, surface));
+            found.push(surface);
         }
     }
+    found
 }
 
 /// Places that are told apart count once: a ring of points about the axis is one place.
@@ -90,15 +84,11 @@ fn squared(a: &Profile, b: &Profile) -> f64 {
     (a.radius - b.radius).powi(2) + (a.height - b.height).powi(2)
 }
 
-/// The votes of a neighbourhood that may be mixed, along the known axes: circles and lines through
-/// the place of its first point and two others that many of its places lie on. O(axes × points).
-pub fn mixed_coaxial_votes(
-    search: &Search<'_>,
-    axes: &[KnownAxis],
-    index: u32,
-    patch: &[u32],
-    found: &mut Vec<Vote>,
-) {
+/// The surfaces of revolution about the known axes through a neighbourhood that may be mixed: circles
+/// and lines through the place of its first point and two others that many of its places lie on.
+/// O(axes × points).
+pub fn mixed_coaxial(search: &Search<'_>, axes: &[KnownAxis], patch: &[u32]) -> Vec<Surface> {
+    let mut found = Vec::new();
     let tolerance = search.scale.tolerance;
     let points = search.points(patch);
     for axis in axes {
@@ -122,9 +112,10 @@ pub fn mixed_coaxial_votes(
             && count >= needed
             && search.is_plausible(&surface)
         {
-            found.push(vote(search, index, surface));
+            found.push(surface);
         }
     }
+    found
 }
 
 /// Distinct places that must agree where a neighbourhood may be mixed.
@@ -144,17 +135,16 @@ fn turned_triple(axis: &KnownAxis, triple: &[Profile; 3], tolerance: f64) -> Opt
     }
 }
 
-/// The votes of a neighbourhood of free points along the known axes, where the rings of points are
-/// so few that lines and circles through them prove nothing by themselves. A circle must be tangent
-/// to the surfaces it blends at both ends; a line must join rings of two surfaces.
-pub fn ring_votes(
+/// The surfaces of revolution about the known axes through a neighbourhood of free points whose rings
+/// are so few that lines and circles through them prove nothing by themselves. A circle must be
+/// tangent to the surfaces it blends at both ends; a line must join rings of two surfaces.
+pub fn rings(
     search: &Search<'_>,
     borders: &Borders,
     axes: &[KnownAxis],
-    index: u32,
     patch: &[u32],
-    found: &mut Vec<Vote>,
-) {
+) -> Vec<Surface> {
+    let mut found = Vec::new();
     let tolerance = search.scale.tolerance;
     let points = search.points(patch);
     for axis in axes {
@@ -187,9 +177,10 @@ pub fn ring_votes(
                 .iter()
                 .all(|p| surface.distance(p) <= 2.0 * tolerance)
         {
-            found.push(vote(search, index, surface));
+            found.push(surface);
         }
     }
+    found
 }
 
 fn farthest(rings: &[Profile]) -> Option<(Profile, Profile)> {
