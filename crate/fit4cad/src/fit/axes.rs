@@ -21,6 +21,17 @@ pub fn axis_of(surface: &Surface) -> Option<(Point, Direction)> {
     }
 }
 
+/// The normal or axis of a surface; a sphere has none.
+pub fn direction_of(surface: &Surface) -> Option<Direction> {
+    match surface {
+        Surface::Plane(plane) => Some(plane.normal),
+        Surface::Cylinder(cylinder) => Some(cylinder.axis),
+        Surface::Cone(cone) => Some(cone.axis),
+        Surface::Sphere(_) => None,
+        Surface::Torus(torus) => Some(torus.axis),
+    }
+}
+
 /// Points in the half-plane of an axis: x is the distance ρ from it, y the height h, z zero.
 pub fn half_plane(points: &[Point], origin: &Point, axis: &Direction) -> Vec<Point> {
     points

@@ -112,10 +112,7 @@ pub fn find(
 ) -> Result<(), Cancelled> {
     match method {
         Method::Hough => hough::find(search, observer)?,
-        Method::Growing => {
-            growing::find(search, observer)?;
-            detect::borders(search, observer)?;
-        }
+        Method::Growing => growing::find(search, observer)?,
     }
     specks::specks(search, observer)
 }

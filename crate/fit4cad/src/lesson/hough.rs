@@ -2,7 +2,7 @@
 //! cells that each point lights, and what becomes of the peaks.
 
 use crate::cloud::{Bounds, Cloud, Point};
-use crate::fit::hough::family;
+use crate::fit::axes::direction_of;
 use crate::fit::hough::gamma::{Coordinate, Slice};
 use crate::fit::hough::grid::Axis;
 use crate::fit::hough::persistence::Diagram;
@@ -172,7 +172,7 @@ fn base_axes() -> [crate::cloud::Direction; 3] {
 /// through it has many peaks; of equals, the first. O(n²).
 pub fn typical(surfaces: &[Surface], kind: SurfaceType) -> Option<Surface> {
     let alike = |a: &Surface, b: &Surface| {
-        let parallel = match (family::direction(a), family::direction(b)) {
+        let parallel = match (direction_of(a), direction_of(b)) {
             (Some(a), Some(b)) => a.cross(&b).norm() < 1e-6,
             _ => true,
         };

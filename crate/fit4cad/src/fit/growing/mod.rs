@@ -4,9 +4,11 @@
 //! Where the Hough transform starts from parameter space, this starts from neighbourhoods: points
 //! on sharp edges are told by their surface variation ([`variation`]), what lies between them grows
 //! into regions ([`regions`]), the rigid motions that slide a region over itself give its invariance
-//! class ([`slippage`]), and regions of more than one surface are split by RANSAC ([`ransac`]).
+//! class ([`slippage`]), and regions of more than one surface are split by RANSAC ([`ransac`]). What
+//! is left over is mostly thin faces, which only what lies beside them tells ([`leftovers`]).
 //! Every step is a function of its own whose result goes to the trace.
 
+mod leftovers;
 pub mod ransac;
 pub mod regions;
 pub mod slippage;
@@ -60,11 +62,11 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         observer.progress(Stage::Find, 0.6 + 0.3 * place as f64 / left.len() as f64)?;
         ransac::split(search, region, observer)?;
     }
-    // Thin faces side by side leave no minimal set of their own; whole neighbourhoods tell them.
     if search.scale.is_clean() {
-        detect::faces(search, observer)?;
+        leftovers::thin_faces(search, observer)
+    } else {
+        detect::borders(search, observer)
     }
-    Ok(())
 }
 
 /// Region refinement: a region of a simple class gets its surface by least squares, started from

@@ -15,6 +15,7 @@
 
 use super::grid::{Axis, Grid};
 use crate::cloud::{Bounds, Direction, Point};
+use crate::fit::axes::direction_of;
 use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus, across};
 
 /// One rung of a family's ladder.
@@ -129,7 +130,7 @@ impl Region {
         let middle = self.bounds.centre();
         let one = |value: f64| Some([value, 0.0, 0.0]);
         match (rung, surface) {
-            (Rung::Direction, _) => direction(surface).map(|d| [d.x, d.y, d.z]),
+            (Rung::Direction, _) => direction_of(surface).map(|d| [d.x, d.y, d.z]),
             (Rung::Offset, Surface::Plane(_)) => one(settled.direction?.dot(&(foot - middle))),
             (Rung::Across, Surface::Cylinder(cylinder)) => {
                 let axis = settled.direction?;
@@ -181,17 +182,6 @@ impl Region {
             Rung::Radii => settled.sizes = [a, b],
         }
         settled
-    }
-}
-
-/// The normal or axis of a surface; a sphere has none.
-pub fn direction(surface: &Surface) -> Option<Direction> {
-    match surface {
-        Surface::Plane(plane) => Some(plane.normal),
-        Surface::Cylinder(cylinder) => Some(cylinder.axis),
-        Surface::Cone(cone) => Some(cone.axis),
-        Surface::Sphere(_) => None,
-        Surface::Torus(torus) => Some(torus.axis),
     }
 }
 

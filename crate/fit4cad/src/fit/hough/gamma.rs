@@ -8,11 +8,11 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::family;
 use super::grid::{Axis, Grid};
 use super::persistence::{self, Diagram};
 use super::space::Space;
 use crate::cloud::{Direction, Point, Vector};
+use crate::fit::axes::direction_of;
 use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus, across};
 
 /// A parameter of a family, measured as a departure from a base surface or as its own value.
@@ -47,7 +47,7 @@ impl Slice {
     /// The slice through `base` with these two free parameters, each over its axis. Turns are about
     /// `pivot`; the middle of the cloud keeps a plane's curves within a bounded range of offsets.
     pub fn new(base: Surface, pivot: Point, free: [Coordinate; 2], axes: [Axis; 2]) -> Self {
-        let frame = match family::direction(&base) {
+        let frame = match direction_of(&base) {
             Some(along) => {
                 let first = across(&along);
                 [first, Direction::new_normalize(along.cross(&first)), along]

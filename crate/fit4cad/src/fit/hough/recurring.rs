@@ -2,9 +2,9 @@
 
 use super::accumulator::{Accumulator, Ballot};
 use super::directions::DirectionSpace;
-use super::family::direction;
 use crate::cloud::Direction;
 use crate::fit::Search;
+use crate::fit::axes::direction_of;
 
 /// Most directions of the whole cloud that are tried everywhere.
 const RECURRING: usize = 6;
@@ -17,7 +17,7 @@ const SHARE: f64 = 0.02;
 pub fn recurring_directions(search: &Search<'_>, space: &DirectionSpace) -> Vec<Direction> {
     let accepted = search.accepted();
     let ballots = (0_u32..).zip(accepted).filter_map(|(voter, candidate)| {
-        let direction = direction(&candidate.surface)?;
+        let direction = direction_of(&candidate.surface)?;
         Some(Ballot {
             cell: space.cell(&direction)?,
             voter,
@@ -35,7 +35,7 @@ pub fn recurring_directions(search: &Search<'_>, space: &DirectionSpace) -> Vec<
             let best = voters
                 .into_iter()
                 .max_by_key(|&voter| accepted[voter as usize].support.len())?;
-            direction(&accepted[best as usize].surface)
+            direction_of(&accepted[best as usize].surface)
         })
         .collect()
 }
