@@ -250,6 +250,29 @@ fn a_narrow_cone_with_its_apex_far_away_survives_both_forms() {
     }
 }
 
+#[test]
+fn vectors_too_long_or_short_to_be_squared_still_have_a_direction() {
+    for length in [1e-300, 1e-170, 1.0, 1e170, 1e300] {
+        let vector = [1.0, 2.0, 2.0, -3.0].map(|value| value * length);
+        let plane = Surface::from_implicit(SurfaceType::Plane, &vector).unwrap();
+        let distance = plane.surface.distance(&Point::origin());
+        assert!((distance - 1.0).abs() < 1e-15, "{length:e}: {distance}");
+        let spanned = [length, 0.0, 0.0, 0.0, length, 0.0, 0.0, 0.0, 5.0];
+        let plane = Surface::from_parametric(SurfaceType::Plane, &spanned).unwrap();
+        assert_eq!(plane.surface.distance(&Point::origin()), 5.0, "{length:e}");
+        let along = [
+            2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, length, 0.0, 0.0, 0.0,
+        ];
+        let cylinder = Surface::from_parametric(SurfaceType::Cylinder, &along).unwrap();
+        let expected = Cylinder::new(Point::origin(), Vector::z(), 2.0);
+        assert_eq!(cylinder.surface, Surface::Cylinder(expected), "{length:e}");
+        assert!(
+            plane.misfit < 1e-15 && cylinder.misfit < 1e-15,
+            "{length:e}"
+        );
+    }
+}
+
 fn coordinate() -> impl Strategy<Value = f64> {
     -100.0..100.0
 }

@@ -185,13 +185,29 @@ impl Surface {
 /// The axis with its canonical sign: the first component that is not negligible is positive.
 fn canonical_axis(axis: Vector) -> Direction {
     const NEGLIGIBLE: f64 = 1e-9;
-    let axis = Direction::try_new(axis, 0.0).unwrap_or_else(Vector::z_axis);
+    let axis = direction(&axis).unwrap_or_else(Vector::z_axis);
     let axis = match axis.iter().find(|component| component.abs() > NEGLIGIBLE) {
         Some(&component) if component < 0.0 => -axis,
         _ => axis,
     };
     // A sum turns `-0` into `0`, so that equal axes also print alike.
     Direction::new_unchecked(axis.map(|component| component + 0.0))
+}
+
+/// The direction of a vector, whatever its length; `None` of a zero vector.
+fn direction(vector: &Vector) -> Option<Direction> {
+    Direction::try_new(vector / magnitude(vector), 0.0)
+}
+
+/// A divisor that brings a vector to a length whose square neither overflows nor vanishes: 1 where
+/// it has one, so that nothing is rounded twice.
+fn magnitude(vector: &Vector) -> f64 {
+    let largest = vector.amax();
+    if (1e-100..1e100).contains(&largest) {
+        1.0
+    } else {
+        largest
+    }
 }
 
 /// The point of the line nearest the origin.

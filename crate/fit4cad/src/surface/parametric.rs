@@ -9,7 +9,9 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::Matrix3;
 
 use super::conversion::{Conversion, ConversionError, Defect, check_values};
-use super::{Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus, across};
+use super::{
+    Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus, across, direction, magnitude,
+};
 use crate::cloud::{Direction, Point, Vector};
 
 /// Sine of the angle below which two vectors count as parallel.
@@ -187,7 +189,7 @@ fn plane(form: Parametric) -> Result<(Surface, Region), Defect> {
     let (a, b, c) = (form.column(0), form.column(1), form.column(2));
     let normal = normal_of(&a, &b).ok_or(Defect::NoNormal)?;
     let surface = Surface::Plane(Plane::new(Point::from(c), normal));
-    let across = a.norm() / b.norm();
+    let across = length(&a) / length(&b);
     let region = Region {
         u: [-1.0, 1.0],
         v: [-across, across],
@@ -199,14 +201,14 @@ fn plane(form: Parametric) -> Result<(Surface, Region), Defect> {
 
 fn cylinder(form: Parametric) -> Result<(Surface, Region), Defect> {
     let along = form.column(2);
-    let axis = Direction::try_new(along, 0.0).ok_or(Defect::NoAxis)?;
+    let axis = direction(&along).ok_or(Defect::NoAxis)?;
     let radius = mean_radius(&form.column(0), &form.column(1), &axis);
     if radius <= 0.0 {
         return Err(Defect::NoRadius);
     }
     let point = Point::from(form.column(3));
     let surface = Surface::Cylinder(Cylinder::new(point, along, radius));
-    let rise = radius / along.norm();
+    let rise = radius / length(&along);
     let region = Region {
         u: TURN,
         v: [-rise, rise],
@@ -229,7 +231,7 @@ fn cone(form: Parametric) -> Result<(Surface, Region), Defect> {
     } else {
         normal_of(&c, &d).ok_or(Defect::NoAxis)?
     };
-    let axis = Direction::try_new(along, 0.0).ok_or(Defect::NoAxis)?;
+    let axis = direction(&along).ok_or(Defect::NoAxis)?;
     let half_angle = mean_radius(&c, &d, &axis).atan2(e.dot(&axis).abs());
     if !(half_angle > 0.0 && e.dot(&axis) != 0.0) {
         return Err(Defect::NoOpening);
@@ -268,7 +270,7 @@ fn torus(form: Parametric) -> Result<(Surface, Region), Defect> {
     let (a, b, c, d, e) = (column(0), column(1), column(2), column(3), column(4));
     // A small error of direction matters most on the larger circle.
     let along = normal_of(&a, &b).unwrap_or(e);
-    let axis = Direction::try_new(along, 0.0).ok_or(Defect::NoAxis)?;
+    let axis = direction(&along).ok_or(Defect::NoAxis)?;
     let major = mean_radius(&a, &b, &axis);
     let minor = (2.0 * mean_radius(&c, &d, &axis) + e.norm()) / 3.0;
     if minor <= 0.0 {
@@ -283,9 +285,15 @@ fn torus(form: Parametric) -> Result<(Surface, Region), Defect> {
     Ok((surface, region))
 }
 
+/// The length of a vector that is not zero, though its square may be no double.
+fn length(vector: &Vector) -> f64 {
+    let scale = magnitude(vector);
+    scale * (vector / scale).norm()
+}
+
 /// The unit normal of two vectors, if they are not parallel.
 fn normal_of(a: &Vector, b: &Vector) -> Option<Vector> {
-    let (a, b) = (a.try_normalize(0.0)?, b.try_normalize(0.0)?);
+    let (a, b) = (direction(a)?.into_inner(), direction(b)?.into_inner());
     a.cross(&b).try_normalize(PARALLEL)
 }
 

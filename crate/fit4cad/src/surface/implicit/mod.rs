@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use super::conversion::{Conversion, ConversionError, Defect, check_values};
 use super::polynomial::Polynomial;
-use super::{Plane, Surface, SurfaceType};
+use super::{Plane, Surface, SurfaceType, magnitude};
 use crate::cloud::{Point, Vector};
 
 impl Surface {
@@ -58,10 +58,12 @@ fn plane(values: &[f64]) -> Result<Surface, Defect> {
         return Err(Defect::NoNormal);
     };
     let normal = Vector::new(a, b, c);
-    let norm = normal.norm();
-    if norm <= 0.0 {
+    let scale = magnitude(&normal);
+    if scale == 0.0 {
         return Err(Defect::NoNormal);
     }
+    let (normal, d) = (normal / scale, d / scale);
+    let norm = normal.norm();
     let point = Point::from(normal / norm * (-d / norm));
     Ok(Surface::Plane(Plane::new(point, normal)))
 }

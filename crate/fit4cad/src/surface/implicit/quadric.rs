@@ -118,6 +118,8 @@ fn root(square: f64) -> Result<f64, Defect> {
         Ok(square.sqrt())
     } else if square == 0.0 {
         Err(Defect::NoRadius)
+    } else if square.is_nan() {
+        Err(Defect::Overflow)
     } else {
         Err(Defect::Imaginary { square })
     }
