@@ -29,6 +29,9 @@ pub(super) enum Owner<'a> {
 /// for each of as many files would take time that grows with the square.
 const MAX_NAMESAKES: usize = 256;
 
+/// Most clouds that are named where it is unclear to which a file belongs.
+const MOST_NAMED: usize = 3;
+
 /// Name of a method whose files give it none.
 const NAMELESS: &str = "submission";
 
@@ -125,18 +128,28 @@ impl<'a> Shelf<'a> {
     }
 
     /// The model a file belongs to; `PC1_HT_primitives.txt` is split into model and method if
-    /// there is no model `PC1_HT`.
+    /// there is no model `PC1_HT`, at the last place that leaves a model's name.
     fn find(&self, clue: &mut Clue<'a>) -> Result<usize, String> {
         if let Some(models) = self.by_stem.get(&clue.stem.to_lowercase()) {
             return self.nearest(models, clue);
         }
-        if let Some((stem, method)) = clue.stem.split_once(['_', '-'])
-            && let Some(models) = self.by_stem.get(&stem.to_lowercase())
-        {
-            let method = method.to_owned();
-            clue.stem = stem.to_owned();
-            if !clue.is_truth && !names_truth(&method) {
-                clue.method.get_or_insert(method);
+        // Made small once: a hostile name may be all separators.
+        let (whole, small) = (clue.stem.clone(), clue.stem.to_lowercase());
+        let places = |name: &str| -> Vec<usize> {
+            let separators = name.rmatch_indices(['_', '-']);
+            separators.map(|(at, _)| at).collect()
+        };
+        for (at, small_at) in places(&whole).into_iter().zip(places(&small)) {
+            let models = small
+                .get(..small_at)
+                .and_then(|stem| self.by_stem.get(stem));
+            let (Some(models), Some(stem)) = (models, whole.get(..at)) else {
+                continue;
+            };
+            stem.clone_into(&mut clue.stem);
+            let method = whole.get(at + 1..).unwrap_or_default();
+            if !clue.is_truth && !names_truth(method) {
+                clue.method.get_or_insert_with(|| method.to_owned());
             }
             return self.nearest(models, clue);
         }
@@ -188,11 +201,16 @@ impl<'a> Shelf<'a> {
             _ => {
                 let paths: Vec<&str> = best
                     .iter()
+                    .take(MOST_NAMED)
                     .filter_map(|&model| self.models.get(model))
                     .map(|model| model.cloud.path)
                     .collect();
+                let more = match best.len().saturating_sub(MOST_NAMED) {
+                    0 => String::new(),
+                    more => format!(" or one of {more} more"),
+                };
                 Err(format!(
-                    "it is unclear to which cloud it belongs: {}",
+                    "it is unclear to which cloud it belongs: {}{more}",
                     paths.join(" or ")
                 ))
             }

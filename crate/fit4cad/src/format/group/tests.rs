@@ -113,6 +113,33 @@ fn the_method_may_stand_in_the_file_name() {
 }
 
 #[test]
+fn a_name_with_separators_of_its_own_is_divided_where_a_model_is_left() {
+    assert_eq!(
+        shown(&["my_part-2.txt", "my_part-2_HT_primitives.txt"]),
+        ["my_part-2: my_part-2.txt; my_part-2_HT_primitives.txt Primitives HT"]
+    );
+    assert_eq!(
+        shown(&["a.txt", "a_b.txt", "a_b_c_d_primitives.txt"]),
+        [
+            "a: a.txt",
+            "a_b: a_b.txt; a_b_c_d_primitives.txt Primitives c_d"
+        ]
+    );
+}
+
+#[test]
+fn of_many_clouds_that_a_file_may_belong_to_only_some_are_named() {
+    let clouds = (1..=200).map(|set| format!("{set}/PC1.txt"));
+    let paths: Vec<String> = clouds.chain(["x/PC1_primitives.txt".to_owned()]).collect();
+    let grouping = group(&paths, &BTreeMap::new());
+    assert_eq!(
+        grouping.unplaced[0].reason,
+        "it is unclear to which cloud it belongs: \
+         1/PC1.txt or 2/PC1.txt or 3/PC1.txt or one of 197 more"
+    );
+}
+
+#[test]
 fn the_sets_of_the_public_repository_are_kept_apart() {
     let paths = [
         "Fit4CAD-main/README.md",
