@@ -176,15 +176,7 @@ impl ListReader<'_> {
                     break;
                 }
                 Some(b';') => cursor.at += 1,
-                Some(b'.')
-                    if cursor
-                        .bytes()
-                        .get(at..)
-                        .is_some_and(|rest| rest.starts_with(b"...")) =>
-                {
-                    // MATLAB continues the line.
-                    cursor.skip_while(|byte| byte == b'.');
-                }
+                Some(b'.') if cursor.at_continuation() => cursor.skip_while(|byte| byte == b'.'),
                 Some(_) if at_keyword(cursor) => {
                     findings.add(&NOT_CLOSED, at);
                     break;
@@ -218,6 +210,10 @@ impl ListReader<'_> {
                 .saturating_mul(10)
                 .saturating_add(u64::from(digit - b'0'));
             cursor.at += 1;
+        }
+        if cursor.peek().is_none() {
+            // Cut short, it may be any other number.
+            return None;
         }
         if cursor.peek().is_some_and(|next| !is_separator(next)) {
             // Programs that print doubles write large indices as 1e+05 or 7.0.

@@ -61,6 +61,12 @@ impl<'a> Cursor<'a> {
         self.bytes.get(start..self.at).unwrap_or_default()
     }
 
+    /// Whether `...` stands here, by which MATLAB continues a line.
+    pub(super) fn at_continuation(&self) -> bool {
+        let rest = self.bytes.get(self.at..);
+        rest.is_some_and(|rest| rest.starts_with(b"..."))
+    }
+
     /// Steps over what cannot be part of the grammar up to the next separator or bracket, at least
     /// one byte, so that a reader that meets it always moves on.
     pub(super) fn skip_token(&mut self) {

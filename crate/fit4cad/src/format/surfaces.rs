@@ -192,14 +192,7 @@ impl<'a> RawEntry<'a> {
                     findings.add(&NOT_CLOSED, at);
                     return raw;
                 }
-                Some(b'.')
-                    if cursor
-                        .bytes()
-                        .get(at..)
-                        .is_some_and(|rest| rest.starts_with(b"...")) =>
-                {
-                    cursor.skip_while(|byte| byte == b'.');
-                }
+                Some(b'.') if cursor.at_continuation() => cursor.skip_while(|byte| byte == b'.'),
                 Some(byte) if byte.is_ascii_alphabetic() && raw.count == 0 => {
                     raw.word(cursor.word(), at, findings);
                 }

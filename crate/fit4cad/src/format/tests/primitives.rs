@@ -102,6 +102,13 @@ fn a_list_that_is_not_closed_ends_with_the_next() {
 }
 
 #[test]
+fn an_index_cut_short_by_the_end_of_the_file_is_one_finding() {
+    let (read, findings) = lists("Primitive1:=[4 5 4");
+    assert_eq!(read, [(1, vec![3, 4])]);
+    assert_eq!(findings, ["1:18 error `4`"]);
+}
+
+#[test]
 fn junk_between_entries_is_skipped() {
     let (read, findings) =
         lists("hello\nPrimitive1:=[1];;\n]x Primitive2:=[2];\nPrimitiveX:=[3];\n% end");
