@@ -115,7 +115,7 @@ impl From<&audit::PrimitiveAudit> for PrimitiveAudit {
 
 /// What an audit found in a model.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
-#[tsify(missing_as_null, hashmap_as_object)]
+#[tsify(missing_as_null)]
 pub struct Audit {
     /// Name of the model.
     pub model: String,

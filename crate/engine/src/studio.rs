@@ -110,7 +110,9 @@ impl Model {
     #[wasm_bindgen(js_name = withoutLasso)]
     pub fn without_lasso(&self, camera: &[f64], corners: &[f64]) -> Result<Model, JsError> {
         let [x, y, z, i, j, k, w, eye, depth] = numbers("camera", camera)?;
-        let (corners, _) = corners.as_chunks::<2>();
+        let (corners, []) = corners.as_chunks::<2>() else {
+            return Err(JsError::new("every corner is made of 2 numbers"));
+        };
         let lasso = Lasso::new([x, y, z], [i, j, k, w], eye, depth, corners)?;
         Ok(self.without(&Region::Lasso(lasso)))
     }

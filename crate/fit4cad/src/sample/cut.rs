@@ -102,7 +102,7 @@ impl Lasso {
 impl Region {
     fn contains(&self, point: &Point) -> bool {
         match self {
-            Self::Ball { centre, radius } => (point - centre).norm_squared() <= radius * radius,
+            Self::Ball { centre, radius } => (point - centre).norm() <= *radius,
             Self::Lasso(lasso) => lasso.contains(point),
         }
     }
@@ -237,5 +237,10 @@ mod tests {
             radius: f64::INFINITY,
         };
         assert!(!nowhere.contains(&(Point::origin() + Vector::x())));
+        let inside_out = Region::Ball {
+            centre: Point::origin(),
+            radius: -1.0,
+        };
+        assert!(!inside_out.contains(&Point::origin()));
     }
 }
