@@ -2,8 +2,9 @@
 
 use fit4cad::audit;
 use fit4cad::diagnostics::Diagnostic;
-use fit4cad::format::{Form, write_surfaces};
+use fit4cad::format::write_surfaces;
 use fit4cad::metrics::accuracy::FitAccuracy;
+use fit4cad::surface::Form;
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use fit4cad::fit::parameters::TABLE;
 use fit4cad::fit::{self, Cancelled, Observer, Parameters, Stage};
-use fit4cad::model::Submission;
 use js_sys::Function;
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
@@ -124,13 +123,7 @@ impl Model {
             thrown.unwrap_or_else(|| JsError::from(cancelled).into())
         })?;
         let name = self.free_name(method.name());
-        self.model.submissions.push(Submission {
-            method: name.clone(),
-            segmentation: fitted.segmentation,
-        });
-        self.model
-            .submissions
-            .sort_by(|a, b| a.method.cmp(&b.method));
+        self.model.submit(&name, fitted.segmentation);
         Ok(name)
     }
 }

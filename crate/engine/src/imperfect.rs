@@ -1,6 +1,5 @@
 //! A submission to have something to score.
 
-use fit4cad::model::Submission;
 use fit4cad::sample;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -15,14 +14,7 @@ impl Model {
     /// same model and seed give the same submission; a model without truth gets an empty one.
     pub fn imperfect(&mut self, seed: u32) -> String {
         let segmentation = sample::imperfect(&self.model, u64::from(seed));
-        self.model.submissions.retain(|each| each.method != METHOD);
-        self.model.submissions.push(Submission {
-            method: METHOD.to_owned(),
-            segmentation,
-        });
-        self.model
-            .submissions
-            .sort_by(|a, b| a.method.cmp(&b.method));
+        self.model.submit(METHOD, segmentation);
         METHOD.to_owned()
     }
 }

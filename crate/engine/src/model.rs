@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use fit4cad::cloud::Point;
 use fit4cad::diagnostics::Diagnostic;
 use fit4cad::format::{
-    Form, SourceFile, model_number, read_model, write_cloud, write_primitives, write_surfaces,
+    SourceFile, model_number, read_model, write_cloud, write_primitives, write_surfaces,
 };
 use fit4cad::metrics;
 use fit4cad::model::{self, Segmentation};
 use fit4cad::sample;
+use fit4cad::surface::Form;
 use js_sys::{Float32Array, Float64Array};
 use serde::Serialize;
 use tsify::{Ts, Tsify};

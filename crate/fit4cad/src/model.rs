@@ -4,7 +4,7 @@
 //! them, so a submission looks the same wherever it came from.
 
 use crate::cloud::Cloud;
-use crate::surface::{Surface, SurfaceType};
+use crate::surface::{Form, Surface, SurfaceType};
 
 /// One point cloud with everything known about it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -15,8 +15,23 @@ pub struct Model {
     pub cloud: Cloud,
     /// The ground truth, if it is there.
     pub truth: Option<Segmentation>,
-    /// Results to be scored, ordered by method.
+    /// Results to be scored, ordered by method; see [`Model::submit`].
     pub submissions: Vec<Submission>,
+}
+
+impl Model {
+    /// Adds the result of a method, in the place of an earlier one of the same name.
+    pub fn submit(&mut self, method: &str, segmentation: Segmentation) {
+        let submission = Submission {
+            method: method.to_owned(),
+            segmentation,
+        };
+        let name = |each: &Submission| each.method.as_str().cmp(method);
+        match self.submissions.binary_search_by(name) {
+            Ok(place) => self.submissions[place] = submission,
+            Err(place) => self.submissions.insert(place, submission),
+        }
+    }
 }
 
 /// The result of one method on one model.
@@ -68,6 +83,14 @@ impl Primitive {
             implicit: Coefficients::Given(surface.to_implicit()),
         }
     }
+
+    /// Its vector in one form.
+    pub fn coefficients(&self, form: Form) -> &Coefficients {
+        match form {
+            Form::Parametric => &self.parametric,
+            Form::Implicit => &self.implicit,
+        }
+    }
 }
 
 /// The numbers of one entry of a surface file.
@@ -89,5 +112,26 @@ impl Coefficients {
             Self::Given(values) => Some(values),
             Self::Missing | Self::Malformed => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn submissions_stay_ordered_and_a_second_one_of_a_method_replaces_the_first() {
+        let with = |count| Segmentation {
+            primitives: vec![Primitive::default(); count],
+        };
+        let mut model = Model::default();
+        for (method, count) in [("PG", 1), ("HT", 2), ("Ours", 3), ("HT", 4)] {
+            model.submit(method, with(count));
+        }
+        let found = model.submissions.iter();
+        let found: Vec<(&str, usize)> = found
+            .map(|each| (&each.method[..], each.segmentation.primitives.len()))
+            .collect();
+        assert_eq!(found, [("HT", 4), ("Ours", 3), ("PG", 1)]);
     }
 }

@@ -2,7 +2,6 @@
 
 use fit4cad::lesson::painting;
 use fit4cad::metrics;
-use fit4cad::model::Submission;
 use js_sys::Uint32Array;
 use serde::Serialize;
 use tsify::{Ts, Tsify};
@@ -60,11 +59,7 @@ impl Model {
     ) -> Result<Ts<PaintedScore>, JsError> {
         let lists: Vec<Vec<u32>> = lists.iter().map(Uint32Array::to_vec).collect();
         let segmentation = painting::painted(&self.model, &lists, shift);
-        self.model.submissions.retain(|each| each.method != METHOD);
-        self.model.submissions.push(Submission {
-            method: METHOD.to_owned(),
-            segmentation,
-        });
+        self.model.submit(METHOD, segmentation);
         let (truth, painted) = (self.segmentation(None)?, self.segmentation(Some(METHOD))?);
         let protocol = metrics::Protocol::Definition;
         let report = metrics::evaluate(&self.model.cloud, truth, painted, protocol);

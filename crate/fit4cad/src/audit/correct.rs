@@ -2,9 +2,8 @@
 
 use super::forms::{self, Measured, MeasuredForm};
 use super::judge::{Verdict, without};
-use crate::format::{Form, write_surfaces};
 use crate::model::{Coefficients, Model, Primitive, Segmentation};
-use crate::surface::{Conversion, Surface};
+use crate::surface::{Conversion, Form, Surface};
 
 /// One vector that was replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,7 +30,7 @@ pub fn correct(model: &Model) -> Option<(Segmentation, Vec<Correction>)> {
         let Some((surface, from)) = best(&measured, &verdict) else {
             continue;
         };
-        for form in [Form::Parametric, Form::Implicit] {
+        for form in Form::ALL {
             if is_wrong(form, primitive, &measured, &verdict) {
                 replace(form, &surface, primitive);
                 corrections.push(Correction {
@@ -43,13 +42,6 @@ pub fn correct(model: &Model) -> Option<(Segmentation, Vec<Correction>)> {
         }
     }
     Some((truth, corrections))
-}
-
-/// The text of the model's `PCi_implicit.txt` with its wrong vectors replaced, see [`correct`];
-/// `None` without truth.
-pub fn corrected_implicit(model: &Model) -> Option<String> {
-    let (truth, _) = correct(model)?;
-    Some(write_surfaces(&truth, Form::Implicit))
 }
 
 /// Of the forms that fit the points the nearest, the parametric one where they are equally near.
@@ -69,15 +61,11 @@ fn best(measured: &Measured, verdict: &Verdict) -> Option<(Surface, Form)> {
 }
 
 fn is_wrong(form: Form, primitive: &Primitive, measured: &Measured, verdict: &Verdict) -> bool {
-    let given = match form {
-        Form::Parametric => &primitive.parametric,
-        Form::Implicit => &primitive.implicit,
-    };
     let no_member = || {
         let same = measured.forms.iter().find(|measured| measured.form == form);
         same.is_some_and(|measured| measured.misfit > Conversion::TOLERANCE)
     };
-    given.values().is_none()
+    primitive.coefficients(form).values().is_none()
         || verdict.off.contains(&form)
         || (form == Form::Implicit && verdict.first_order)
         || no_member()

@@ -2,10 +2,9 @@
 
 use super::DISTANCE_LIMIT;
 use crate::cloud::{Bounds, Cloud, Point};
-use crate::format::Form;
 use crate::metrics::accuracy::FitAccuracy;
 use crate::model::Primitive;
-use crate::surface::{Conversion, ConversionError, Polynomial, Surface, SurfaceType};
+use crate::surface::{Conversion, ConversionError, Form, Polynomial, Surface, SurfaceType};
 
 /// One form against the points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,13 +79,9 @@ pub(super) fn measure(cloud: &Cloud, primitive: &Primitive) -> Measured {
         .implicit
         .values()
         .and_then(|values| ZeroSet::new(kind, values));
-    let parametric = primitive.parametric.values();
-    let parametric = parametric.map(|values| Surface::from_parametric(kind, values));
-    let implicit = primitive.implicit.values();
-    let implicit = implicit.map(|values| Surface::from_implicit(kind, values));
-    let converted = [(Form::Parametric, parametric), (Form::Implicit, implicit)];
-    for (form, conversion) in converted {
-        if let Some(conversion) = conversion {
+    for form in Form::ALL {
+        if let Some(values) = primitive.coefficients(form).values() {
+            let conversion = Surface::from_form(form, kind, values);
             let zero_set = zero_set.as_ref().filter(|_| form == Form::Implicit);
             let form = measured_form(form, &conversion, zero_set, &patch);
             measured.forms.push(form);

@@ -4,9 +4,8 @@ use super::DISTANCE_LIMIT;
 use super::forms::{Measured, MeasuredForm, Patch, is_far};
 use super::judge::Verdict;
 use crate::cloud::Cloud;
-use crate::format::Form;
-use crate::model::{Coefficients, Primitive, Segmentation};
-use crate::surface::Surface;
+use crate::model::{Primitive, Segmentation};
+use crate::surface::{Form, Surface};
 
 /// Why one form is off while the other is not, or not the same.
 pub(super) fn wrong_form(
@@ -95,26 +94,15 @@ fn owner(
 /// The first other primitive with the same vector, though its other form is another: two patches
 /// of one surface rightly share both.
 fn same_vector(truth: &Segmentation, primitive: &Primitive, form: Form) -> Option<u32> {
-    let own = vector(primitive, form).values()?;
-    let opposite = match form {
-        Form::Parametric => Form::Implicit,
-        Form::Implicit => Form::Parametric,
-    };
+    let own = primitive.coefficients(form).values()?;
     let same = |other: &&Primitive| {
         !std::ptr::eq(*other, primitive)
             && other.kind == primitive.kind
-            && vector(other, form).values() == Some(own)
-            && vector(other, opposite) != vector(primitive, opposite)
+            && other.coefficients(form).values() == Some(own)
+            && other.coefficients(form.other()) != primitive.coefficients(form.other())
     };
     let mut others = truth.primitives.iter().take(SEARCHED);
     others.find(same).map(|other| other.number)
-}
-
-fn vector(primitive: &Primitive, form: Form) -> &Coefficients {
-    match form {
-        Form::Parametric => &primitive.parametric,
-        Form::Implicit => &primitive.implicit,
-    }
 }
 
 /// Whether a vector is an exact one, scaled, with its coefficients cut to five digits.

@@ -4,10 +4,9 @@ use super::forms::{Measured, MeasuredForm, accuracy, is_far};
 use super::{Check, DISTANCE_LIMIT, Finding, SEVERE_DISTANCE, STRAY_SHARE, hint};
 use crate::cloud::Cloud;
 use crate::diagnostics::Severity;
-use crate::format::Form;
 use crate::metrics::accuracy::FitAccuracy;
 use crate::model::{Primitive, Segmentation};
-use crate::surface::Conversion;
+use crate::surface::{Conversion, Form};
 
 /// Most stray points that are named.
 const NAMED: usize = 5;

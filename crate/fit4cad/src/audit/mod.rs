@@ -19,7 +19,7 @@ mod reading;
 #[cfg(test)]
 mod tests;
 
-pub use correct::{Correction, correct, corrected_implicit};
+pub use correct::{Correction, correct};
 pub use finding::{Check, Finding};
 pub use forms::{FormAudit, PrimitiveAudit};
 

@@ -2,12 +2,10 @@
 
 use super::*;
 use crate::diagnostics::Severity;
-use crate::format::{
-    Form, Role, SourceFile, read_model, write_cloud, write_primitives, write_surfaces,
-};
+use crate::format::{Role, SourceFile, read_model, write_cloud, write_primitives, write_surfaces};
 use crate::model::{Coefficients, Primitive, Segmentation};
 use crate::sample::{self, Options, generate};
-use crate::surface::{Surface, SurfaceType};
+use crate::surface::{Form, Surface, SurfaceType};
 
 fn part(name: &str) -> Model {
     let options = Options {
@@ -340,7 +338,7 @@ fn coarse_coefficients_at_an_apex_are_a_note_and_corrected() {
 #[test]
 fn a_model_without_truth_or_points_is_audited_without_harm() {
     assert_eq!(audit(&Model::default(), &[]), Audit::default());
-    assert_eq!(corrected_implicit(&Model::default()), None);
+    assert_eq!(correct(&Model::default()), None);
     let mut model = part("bracket");
     model.cloud = crate::cloud::Cloud::default();
     let audit = audit(&model, &[]);

@@ -2,10 +2,10 @@
 
 use super::findings::{Findings, Kind};
 use super::primitives::PointList;
-use super::surfaces::{Form, SurfaceEntry, SurfaceFile};
+use super::surfaces::{SurfaceEntry, SurfaceFile};
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::model::{Coefficients, Primitive, Segmentation};
-use crate::surface::{Conversion, Surface};
+use crate::surface::{Conversion, Form, Surface};
 
 /// What was read from a file, and the file's path for the diagnostics.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -145,11 +145,7 @@ impl<'a> FormColumn<'a> {
         let entry = entry?;
         self.findings.about(Some(number));
         let (kind, values) = (entry.kind?, entry.coefficients.values()?);
-        let converted = match self.form {
-            Form::Parametric => Surface::from_parametric(kind, values),
-            Form::Implicit => Surface::from_implicit(kind, values),
-        };
-        match converted {
+        match Surface::from_form(self.form, kind, values) {
             Ok(Conversion { surface, misfit }) => {
                 if misfit > Conversion::TOLERANCE {
                     self.findings.add_at(&MISFIT, entry.position, || {

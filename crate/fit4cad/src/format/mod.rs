@@ -23,5 +23,5 @@ pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, mod
 pub use numbering::{Numbering, PointNumber};
 pub use primitives::{PointList, read_primitives};
 pub use read::{Role, SourceFile, read_model};
-pub use surfaces::{Form, SurfaceEntry, SurfaceFile, read_surfaces};
+pub use surfaces::{SurfaceEntry, SurfaceFile, read_surfaces};
 pub use write::{write_cloud, write_primitives, write_surfaces};

@@ -6,9 +6,10 @@ use super::assemble::{Named, assemble};
 use super::cloud::{CloudText, read_cloud};
 use super::numbering::Numbering;
 use super::primitives::read_primitives;
-use super::surfaces::{Form, SurfaceFile, read_surfaces};
+use super::surfaces::{SurfaceFile, read_surfaces};
 use crate::diagnostics::{Diagnostic, Severity, Subject};
-use crate::model::{Model, Segmentation, Submission};
+use crate::model::{Model, Segmentation};
+use crate::surface::Form;
 
 /// What a file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -88,10 +89,7 @@ pub fn read_model(name: &str, files: &[SourceFile<'_>]) -> (Model, Vec<Diagnosti
         };
         match method {
             None => model.truth = Some(segmentation),
-            Some(method) => model.submissions.push(Submission {
-                method: method.to_owned(),
-                segmentation,
-            }),
+            Some(method) => model.submit(method, segmentation),
         }
     }
     (model, diagnostics)

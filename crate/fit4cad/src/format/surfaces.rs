@@ -7,34 +7,7 @@ use super::number;
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
 use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
 use crate::model::Coefficients;
-use crate::surface::SurfaceType;
-
-/// Which of its two vectors a file gives for each surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Form {
-    /// Paper, appendix "Parametric representations".
-    Parametric,
-    /// Paper, appendix "Implicit representations".
-    Implicit,
-}
-
-impl Form {
-    /// The word for it in the names of files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Parametric => "parametric",
-            Self::Implicit => "implicit",
-        }
-    }
-
-    /// How many numbers a vector of that type has.
-    pub const fn len(self, kind: SurfaceType) -> usize {
-        match self {
-            Self::Parametric => kind.parametric_len(),
-            Self::Implicit => kind.implicit_len(),
-        }
-    }
-}
+use crate::surface::{Form, SurfaceType};
 
 /// One entry of a surface file.
 #[derive(Debug, Clone, PartialEq)]

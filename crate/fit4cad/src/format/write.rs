@@ -5,9 +5,9 @@
 
 use std::fmt::Write;
 
-use super::surfaces::Form;
 use crate::cloud::Cloud;
-use crate::model::{Coefficients, Primitive, Segmentation};
+use crate::model::{Coefficients, Segmentation};
+use crate::surface::Form;
 
 /// Type written for a surface outside the five families; nothing reads it but as unknown.
 const OTHER_TYPE: &str = "Other";
@@ -54,7 +54,7 @@ pub fn write_primitives(segmentation: &Segmentation) -> String {
 pub fn write_surfaces(segmentation: &Segmentation, form: Form) -> String {
     let mut text = String::new();
     for primitive in &segmentation.primitives {
-        let values = match coefficients(primitive, form) {
+        let values = match primitive.coefficients(form) {
             Coefficients::Missing => continue,
             Coefficients::Malformed => &[],
             Coefficients::Given(values) => &values[..],
@@ -65,13 +65,6 @@ pub fn write_surfaces(segmentation: &Segmentation, form: Form) -> String {
         text.push_str("]];\n");
     }
     text
-}
-
-fn coefficients(primitive: &Primitive, form: Form) -> &Coefficients {
-    match form {
-        Form::Parametric => &primitive.parametric,
-        Form::Implicit => &primitive.implicit,
-    }
 }
 
 fn push_numbers(text: &mut String, values: &[f64], separator: &str) {
@@ -96,7 +89,7 @@ mod tests {
     use super::*;
     use crate::cloud::Point;
     use crate::format::{Role, SourceFile, read_model};
-    use crate::model::{Model, Submission};
+    use crate::model::{Model, Primitive, Submission};
     use crate::surface::{Surface, SurfaceType};
 
     #[test]

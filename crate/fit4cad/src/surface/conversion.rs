@@ -1,6 +1,62 @@
-//! What a conversion between the forms of a surface gives, and why it can fail.
+//! The two forms of a surface in the files, what reading a vector of them gives, and why it can fail.
 
 use super::{Surface, SurfaceType};
+
+/// How a vector of numbers gives a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Form {
+    /// Paper, appendix "Parametric representations".
+    Parametric,
+    /// Paper, appendix "Implicit representations".
+    Implicit,
+}
+
+impl Form {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Parametric, Self::Implicit];
+
+    /// The word for it in the names of files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Parametric => "parametric",
+            Self::Implicit => "implicit",
+        }
+    }
+
+    /// How many numbers the vector of a type has.
+    pub const fn len(self, kind: SurfaceType) -> usize {
+        match self {
+            Self::Parametric => kind.parametric_len(),
+            Self::Implicit => kind.implicit_len(),
+        }
+    }
+
+    /// The other one.
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Parametric => Self::Implicit,
+            Self::Implicit => Self::Parametric,
+        }
+    }
+}
+
+impl Surface {
+    /// The surface of a vector in either form, see [`Surface::from_parametric`] and
+    /// [`Surface::from_implicit`].
+    ///
+    /// # Errors
+    /// [`ConversionError`] as they have it.
+    pub fn from_form(
+        form: Form,
+        kind: SurfaceType,
+        values: &[f64],
+    ) -> Result<Conversion, ConversionError> {
+        match form {
+            Form::Parametric => Self::from_parametric(kind, values),
+            Form::Implicit => Self::from_implicit(kind, values),
+        }
+    }
+}
 
 /// The member of a family that a vector of numbers stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,21 +74,6 @@ impl Conversion {
     /// Misfit up to which a vector passes as a member of its family. Files carry six digits, and
     /// radii and apexes are differences of larger numbers, so two thirds of the digits may go.
     pub const TOLERANCE: f64 = 1e-2;
-
-    /// The surface, if the misfit is within the tolerance.
-    ///
-    /// # Errors
-    /// [`ConversionError::NotInFamily`] with the misfit.
-    pub fn within(self, tolerance: f64) -> Result<Surface, ConversionError> {
-        if self.misfit <= tolerance {
-            Ok(self.surface)
-        } else {
-            Err(ConversionError::NotInFamily {
-                kind: self.surface.kind(),
-                misfit: self.misfit,
-            })
-        }
-    }
 
     /// Refuses results that overflowed.
     pub(super) fn checked(surface: Surface, misfit: f64) -> Result<Self, ConversionError> {
@@ -77,14 +118,6 @@ pub enum ConversionError {
         kind: SurfaceType,
         /// What is missing.
         defect: Defect,
-    },
-    /// The nearest member is farther away than was tolerated.
-    #[error("this is no {kind}: the nearest one lies {:.3} % of its size away", misfit * 100.0)]
-    NotInFamily {
-        /// The family.
-        kind: SurfaceType,
-        /// See [`Conversion::misfit`].
-        misfit: f64,
     },
 }
 

@@ -20,7 +20,7 @@ mod torus;
 use std::fmt;
 
 pub use cone::Cone;
-pub use conversion::{Conversion, ConversionError, Defect};
+pub use conversion::{Conversion, ConversionError, Defect, Form};
 pub use cylinder::Cylinder;
 pub use parametric::{parametric_point, sample_parametric};
 pub use plane::Plane;

@@ -3,12 +3,12 @@
 use nalgebra::Isometry3;
 
 use super::{Cone, Cylinder, Plane, Sphere, Surface, Torus};
-use crate::cloud::Point;
+use crate::cloud::{Direction, Point};
 
 impl Surface {
     /// The surface after a rotation and translation of space.
     pub fn moved(&self, motion: &Isometry3<f64>) -> Self {
-        let turned = |axis: &crate::cloud::Direction| motion * axis.into_inner();
+        let turned = |axis: &Direction| motion * axis.into_inner();
         match self {
             Self::Plane(plane) => {
                 Self::Plane(Plane::new(motion * plane.centre(), turned(&plane.normal)))

@@ -1,7 +1,7 @@
 use super::shown;
-use crate::format::{Form, SurfaceEntry, SurfaceFile, read_surfaces};
+use crate::format::{SurfaceEntry, SurfaceFile, read_surfaces};
 use crate::model::Coefficients;
-use crate::surface::SurfaceType;
+use crate::surface::{Form, SurfaceType};
 
 fn surfaces(text: &str) -> (Vec<SurfaceEntry>, Vec<String>) {
     let (file, diagnostics) = read_surfaces("PC1_implicit.txt", text.as_bytes(), Form::Implicit);
