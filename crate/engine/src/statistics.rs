@@ -1,5 +1,6 @@
 //! What models hold, in numbers, as plain objects.
 
+use fit4cad::metrics::Distribution;
 use fit4cad::statistics::{self, TypeCounts};
 use fit4cad::surface::SurfaceType;
 use serde::{Deserialize, Serialize};
@@ -114,9 +115,11 @@ pub struct Spread {
     pub max: f64,
 }
 
-impl From<statistics::Spread> for Spread {
-    fn from(spread: statistics::Spread) -> Self {
-        let statistics::Spread { min, median, max } = spread;
+impl From<Distribution> for Spread {
+    fn from(figure: Distribution) -> Self {
+        let Distribution {
+            min, median, max, ..
+        } = figure;
         Self { min, median, max }
     }
 }

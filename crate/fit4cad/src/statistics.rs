@@ -3,6 +3,7 @@
 //! The counts of [`DatasetStatistics::types`] for the training and the test set are the paper's two
 //! bar charts (section "The benchmark", figure "Surface type distribution").
 
+use crate::metrics::Distribution;
 use crate::model::Model;
 use crate::surface::SurfaceType;
 
@@ -64,32 +65,6 @@ impl ModelStatistics {
     }
 }
 
-/// How a figure is spread over the models.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spread {
-    /// Smallest.
-    pub min: f64,
-    /// The middle one; of two the mean.
-    pub median: f64,
-    /// Largest.
-    pub max: f64,
-}
-
-impl Spread {
-    /// The spread of some numbers; `None` of no numbers. O(n log n).
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        let mut values: Vec<f64> = values.into_iter().collect();
-        values.sort_by(f64::total_cmp);
-        let upper = values.get(values.len() / 2)?;
-        let lower = values.get(values.len().saturating_sub(1) / 2)?;
-        Some(Self {
-            min: *values.first()?,
-            median: f64::midpoint(*lower, *upper),
-            max: *values.last()?,
-        })
-    }
-}
-
 /// A set of models in numbers. Models without truth count among the models and points only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DatasetStatistics {
@@ -104,11 +79,11 @@ pub struct DatasetStatistics {
     /// Share of all points that no true primitive lists, over the models that have a truth.
     pub unsegmented: Option<f64>,
     /// Points of a model.
-    pub points_per_model: Option<Spread>,
+    pub points_per_model: Option<Distribution>,
     /// True primitives of a model.
-    pub primitives_per_model: Option<Spread>,
+    pub primitives_per_model: Option<Distribution>,
     /// Share of a model's points that no true primitive lists.
-    pub unsegmented_per_model: Option<Spread>,
+    pub unsegmented_per_model: Option<Distribution>,
 }
 
 impl DatasetStatistics {
@@ -129,9 +104,11 @@ impl DatasetStatistics {
             primitives: types.iter().sum(),
             types,
             unsegmented: (all > 0).then(|| all.saturating_sub(segmented) as f64 / all as f64),
-            points_per_model: Spread::of(models.iter().map(|model| model.points as f64)),
-            primitives_per_model: Spread::of(with_truth().map(|model| model.primitives() as f64)),
-            unsegmented_per_model: Spread::of(models.iter().filter_map(|m| m.unsegmented())),
+            points_per_model: Distribution::of(models.iter().map(|model| model.points as f64)),
+            primitives_per_model: Distribution::of(
+                with_truth().map(|model| model.primitives() as f64),
+            ),
+            unsegmented_per_model: Distribution::of(models.iter().filter_map(|m| m.unsegmented())),
         }
     }
 }
@@ -185,9 +162,14 @@ mod tests {
         assert_eq!((set.models, set.points, set.primitives), (3, 18, 3));
         assert_eq!(set.types, [0, 0, 0, 3, 0, 0]);
         assert_eq!(set.unsegmented, Some(0.25));
-        let spread = |min, median, max| Some(Spread { min, median, max });
-        assert_eq!(set.points_per_model, spread(2.0, 6.0, 10.0));
-        assert_eq!(set.primitives_per_model, spread(1.0, 1.5, 2.0));
+        let spread = |figure: Option<Distribution>| {
+            let Distribution {
+                min, median, max, ..
+            } = figure.unwrap();
+            [min, median, max]
+        };
+        assert_eq!(spread(set.points_per_model), [2.0, 6.0, 10.0]);
+        assert_eq!(spread(set.primitives_per_model), [1.0, 1.5, 2.0]);
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! One surface in both forms, and points to show it by.
 
 use crate::cloud::Point;
-use crate::metrics::coefficients::{coefficient_distance, published_distance};
+use crate::metrics::coefficients::{
+    coefficient_distance, normalised, opposite_signs, published_distance,
+};
 use crate::surface::Surface;
 use crate::surface::polynomial::monomials;
 
@@ -72,22 +74,12 @@ pub struct Comparison {
 
 /// Compares a predicted implicit vector with the true one.
 pub fn compare(predicted: &[f64], truth: &[f64]) -> Comparison {
-    let unit = |vector: &[f64]| {
-        let norm = vector.iter().map(|value| value * value).sum::<f64>().sqrt();
-        let usable = norm > 0.0 && norm.is_finite();
-        let scaled = vector.iter().map(|value| value / norm);
-        if usable { scaled.collect() } else { Vec::new() }
-    };
-    let opposite = (0..)
-        .zip(predicted.iter().zip(truth))
-        .filter(|(_, (v, w))| (**v < 0.0 && **w > 0.0) || (**v > 0.0 && **w < 0.0))
-        .map(|(place, _)| place)
-        .collect();
+    let opposite = opposite_signs(predicted, truth).map(|place| place as u32);
     Comparison {
-        unit: [unit(predicted), unit(truth)],
+        unit: [predicted, truth].map(|vector| normalised(vector).unwrap_or_default()),
         definition: coefficient_distance(predicted, truth),
         published: published_distance(predicted, truth),
-        opposite,
+        opposite: opposite.collect(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The Hough transform of a small part, step by step: one slice of a family's parameter space, the
 //! cells that each point lights, and what becomes of the peaks.
 
-use crate::cloud::{Bounds, Cloud, Point};
+use crate::cloud::{Bounds, Cloud, Direction, Point, Vector};
 use crate::fit::axes::direction_of;
 use crate::fit::hough::gamma::{Coordinate, Slice};
 use crate::fit::hough::grid::Axis;
@@ -119,7 +119,7 @@ fn axes(base: &Surface, bounds: &Bounds, points: &[Point]) -> [Axis; 2] {
         steps(SMALLEST_SIZE * size, largest)
     };
     // Extent of the cloud from a point along a direction, with a tenth to spare on either side.
-    let extent = |from: &Point, along: &crate::cloud::Direction| {
+    let extent = |from: &Point, along: &Direction| {
         let places = points.iter().map(|point| (point - from).dot(along));
         let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
             (low.min(place), high.max(place))
@@ -135,7 +135,7 @@ fn axes(base: &Surface, bounds: &Bounds, points: &[Point]) -> [Axis; 2] {
         }
         Surface::Cylinder(Cylinder { centre, axis, .. }) => {
             let first = across(axis);
-            let second = crate::cloud::Direction::new_normalize(axis.cross(&first));
+            let second = Direction::new_normalize(axis.cross(&first));
             [extent(centre, &first), extent(centre, &second)]
         }
         Surface::Sphere(Sphere { centre, .. }) => {
@@ -163,8 +163,7 @@ fn axes(base: &Surface, bounds: &Bounds, points: &[Point]) -> [Axis; 2] {
     }
 }
 
-fn base_axes() -> [crate::cloud::Direction; 3] {
-    use crate::cloud::Vector;
+fn base_axes() -> [Direction; 3] {
     [Vector::x_axis(), Vector::y_axis(), Vector::z_axis()]
 }
 

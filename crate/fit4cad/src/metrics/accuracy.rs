@@ -92,16 +92,4 @@ mod tests {
         assert_eq!(fit_accuracy(&cloud, &[], &floor()), None);
         assert_eq!(fit_accuracy(&cloud, &[7], &floor()), None);
     }
-
-    #[test]
-    fn lone_points_do_not_walk_the_whole_cloud_each() {
-        const COUNT: u32 = 50_000;
-        let points = (0..COUNT).map(|i| Point::new(f64::from(i), 0.0, 1.0));
-        let cloud = Cloud::new(points.collect());
-        let start = std::time::Instant::now();
-        for index in 0..COUNT {
-            assert!(fit_accuracy(&cloud, &[index], &floor()).is_some());
-        }
-        assert!(start.elapsed() < std::time::Duration::from_secs(2));
-    }
 }

@@ -3,7 +3,8 @@
 use crate::model::Coefficients;
 
 /// d1(v, v′) = ‖v − v′‖₁ of the vectors scaled to norm 1, where the sign of v′ is free: the
-/// smaller of ‖v − v′‖₁ and ‖v + v′‖₁. `None` if the lengths differ or a vector is zero.
+/// smaller of ‖v − v′‖₁ and ‖v + v′‖₁. `None` if the lengths differ, or a vector cannot be scaled
+/// to norm 1: it is zero, or its norm overflows.
 ///
 /// The paper makes the first nonzero entry positive. That is the same sign, except where the
 /// entry is rounding noise, whose sign means nothing.
@@ -16,9 +17,23 @@ pub fn coefficient_distance(predicted: &[f64], truth: &[f64]) -> Option<f64> {
 /// it −1e-18 against 1e-18. `None` as in [`coefficient_distance`].
 pub fn published_distance(predicted: &[f64], truth: &[f64]) -> Option<f64> {
     let (difference, sum) = difference_and_sum(predicted, truth)?;
-    let opposite = |(v, w): (&f64, &f64)| (*v < 0.0 && *w > 0.0) || (*v > 0.0 && *w < 0.0);
-    let negated = predicted.iter().zip(truth).any(opposite);
+    let negated = opposite_signs(predicted, truth).next().is_some();
     Some(if negated { sum } else { difference })
+}
+
+/// The places at which two vectors have entries of opposite signs, ascending: any of them makes the
+/// authors' script negate.
+pub fn opposite_signs(predicted: &[f64], truth: &[f64]) -> impl Iterator<Item = usize> {
+    let pairs = predicted.iter().zip(truth).enumerate();
+    pairs
+        .filter(|&(_, (v, w))| (*v < 0.0 && *w > 0.0) || (*v > 0.0 && *w < 0.0))
+        .map(|(place, _)| place)
+}
+
+/// A vector scaled to norm 1; `None` if it is zero or its norm overflows.
+pub fn normalised(vector: &[f64]) -> Option<Vec<f64>> {
+    let norm = norm(vector)?;
+    Some(vector.iter().map(|value| value / norm).collect())
 }
 
 /// The mean of d1 as the authors' script has it. `pairs` holds, for each predicted primitive, its

@@ -30,10 +30,15 @@ pub struct Hidden {
     pub truth_labelled: Option<f64>,
 }
 
+/// Row and column of what is none of the five types.
+const OTHER: usize = SurfaceType::ALL.len();
+/// Column of what has no match.
+const MISSED: usize = OTHER + 1;
+
 /// How often a true primitive of one type was matched by a prediction of another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct TypeConfusion {
-    counts: [[u32; 7]; 6],
+    counts: [[u32; MISSED + 1]; OTHER + 1],
 }
 
 /// What stands in the column of a true primitive's type.
@@ -60,7 +65,7 @@ impl TypeConfusion {
 
     /// The whole table. Rows: truth by [`SurfaceType::ALL`], then other; columns: match by
     /// [`SurfaceType::ALL`], then other, then missed.
-    pub fn table(&self) -> &[[u32; 7]; 6] {
+    pub fn table(&self) -> &[[u32; MISSED + 1]; OTHER + 1] {
         &self.counts
     }
 
@@ -74,10 +79,10 @@ impl TypeConfusion {
     fn place(truth: Option<SurfaceType>, matched: MatchedType) -> (usize, usize) {
         let column = match matched {
             MatchedType::Type(kind) => kind as usize,
-            MatchedType::Other => 5,
-            MatchedType::Missed => 6,
+            MatchedType::Other => OTHER,
+            MatchedType::Missed => MISSED,
         };
-        (truth.map_or(5, |kind| kind as usize), column)
+        (truth.map_or(OTHER, |kind| kind as usize), column)
     }
 }
 

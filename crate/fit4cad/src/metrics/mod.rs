@@ -3,7 +3,7 @@
 //! [`matching`] pairs primitives, [`classification`] counts points, [`accuracy`] measures
 //! distances to surfaces and [`coefficients`] compares implicit vectors. [`report`] puts them
 //! together under one of two [`Protocol`]s, [`hidden`] adds what those measures do not show, and
-//! [`summary`] describes many reports.
+//! [`summary`] describes a figure over many reports.
 
 pub mod accuracy;
 pub mod classification;
@@ -20,7 +20,7 @@ pub use hidden::Hidden;
 pub use measure::{Measure, Measures};
 pub use protocol::Protocol;
 pub use report::{PredictionRow, Report, ScoreError, TruthRow, evaluate, score};
-pub use summary::{Distribution, summarise};
+pub use summary::Distribution;
 
 /// The mean of the values that are there; `None` if there are none.
 fn mean(values: impl IntoIterator<Item = Option<f64>>) -> Option<f64> {

@@ -1,11 +1,9 @@
-//! One measure over many models: what a box plot shows.
+//! A figure over many models: what a box plot shows.
 
-use super::{Measure, Report};
-
-/// How a measure is spread over models.
+/// How a figure is spread over models.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distribution {
-    /// Number of models that have the measure; at least one.
+    /// Number of models that have the figure; at least one.
     pub count: usize,
     /// Arithmetic mean.
     pub mean: f64,
@@ -46,14 +44,6 @@ impl Distribution {
             max,
         })
     }
-}
-
-/// The distribution of each measure's model means, in the order of [`Measure::ALL`].
-pub fn summarise(reports: &[Report]) -> [(Measure, Option<Distribution>); 9] {
-    Measure::ALL.map(|measure| {
-        let values = reports.iter().filter_map(|report| report.mean.get(measure));
-        (measure, Distribution::of(values))
-    })
 }
 
 #[cfg(test)]
