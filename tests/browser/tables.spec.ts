@@ -182,7 +182,7 @@ test("the selected primitive can be looked at alone, framed and hidden", async (
   await picture(page, "isolated");
   await tools.getByRole("button", { name: "Hide" }).click();
   await page.getByRole("button", { name: "Show 1 hidden" }).click();
-  await page.getByRole("button", { name: "Fit" }).click();
+  await page.getByRole("button", { name: "Frame all" }).click();
   await expect.poll(async () => (await contentOf(page, canvas, LEFT)).hues).toBe(all.hues);
 });
 

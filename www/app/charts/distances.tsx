@@ -148,7 +148,7 @@ function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
       Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: bins.logarithmic ? decades(low, high) : tick }),
-      Plot.axisY({ label: null, ticks: 4, tickFormat: "~s" }),
+      Plot.axisY({ label: null, ticks: 4, tickFormat: format.shortCount }),
       Plot.rect(blocks, {
         fy: "side",
         x1: "low",

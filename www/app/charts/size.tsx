@@ -68,7 +68,7 @@ function draw(frame: Frame, rows: readonly TruePrimitive[]): SVGSVGElement {
     y: { domain: [0, 1], label: null },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1 }),
-      Plot.axisX({ label: "Points →", ticks: Math.max(2, Math.floor(frame.width / 110)), tickFormat: "~s" }),
+      Plot.axisX({ label: "Points →", ticks: Math.max(2, Math.floor(frame.width / 110)), tickFormat: format.shortCount }),
       Plot.axisY({ label: null }),
       Plot.dot(shown, {
         ...place,

@@ -29,7 +29,7 @@ const ELSEWHERE: readonly Explained[] = [
       ["+ −", "Enlarge, reduce"],
       [", .", "Roll"],
       ["1 … 7", "Look from a side"],
-      ["0", "Fit to the window"],
+      ["0", "Frame everything"],
       ["O", "Orthographic or perspective"],
     ],
   },

@@ -40,7 +40,7 @@ function lookOf(verdict: Verdict, recomputing: Recomputing): Look {
       return {
         kind: "note",
         icon: "note",
-        text: "as claimed, cannot be checked",
+        text: "cannot be checked",
         meaning: "The link was made on a page that could not hash files, so it does not say which files it is about.",
       };
     case "claimed":
@@ -51,7 +51,7 @@ function lookOf(verdict: Verdict, recomputing: Recomputing): Look {
 const CLAIMED: Readonly<Record<Recomputing, Pick<Look, "text" | "meaning">>> = {
   "under way": { text: "being recomputed", meaning: "The link says how this was made; it is being made again on this computer." },
   "not done": {
-    text: "as claimed, not recomputed",
+    text: "not recomputed",
     meaning: "The link says how this was made. It can be made again on this computer: press the button beside “As claimed” above.",
   },
   "not possible": {

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { byMethod, meanOf } from "../../../bin/formats/measures.mjs";
 import { measureColumn } from "../measures/column";
 import { MEASURES } from "../measures/measures";
-import { selectedModel, selectModel } from "../state/selection";
+import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import { words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
@@ -66,6 +66,8 @@ const COLUMNS: readonly Column<JudgedClaim>[] = [
   ...MEASURES.map(
     (measure): Column<JudgedClaim> => ({
       ...measureColumn<JudgedClaim>(measure, ({ claim }) => claim.mean[measure]),
+      // What the measures mean is told at the tables of results; here there is the mark to make room for.
+      aside: undefined,
       cell: (row) =>
         differenceIn(row, measure) ? (
           <Claimed row={row} figure={measure} text={(value) => format.measure(measure, value)} />
@@ -92,7 +94,9 @@ export default function SharedPanel(): JSX.Element {
       columns={COLUMNS}
       rows={judged.value}
       keyOf={({ key }) => key}
-      isSelected={({ model }) => entryOf(model)?.id === selectedModel.value && selectedModel.value !== undefined}
+      isSelected={({ model, claim }) =>
+        selectedModel.value !== undefined && entryOf(model)?.id === selectedModel.value && claim.method === selectedMethod.value
+      }
       onSelect={({ model, claim }) => {
         const entry = entryOf(model);
         if (entry) selectModel(entry.id, claim.method);

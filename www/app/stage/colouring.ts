@@ -63,24 +63,42 @@ export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling
     return mode === "normal" ? { ...nothing, normals: true } : nothing;
   }
   if (mode === "figure" && side !== "truth") return figure(side, shown, points);
-  const labels = labelsOf(segmentation, points);
+  const order = drawingOrder(side, shown.reports, segmentation);
+  const labels = labelsOf(segmentation, points, order);
   if (mode === "type") {
     const colours = segmentation.primitives.map(({ type }) => TYPE_COLOURS[type ?? ""] ?? UNSEGMENTED);
     return { labels, colours: [UNSEGMENTED, ...colours] };
   }
   const colours = segmentColours(side, shown.reports, segmentation.primitives.length);
-  if (mode === "distance") return { labels, colours, scalars: distances(scene, segmentation, points) };
+  if (mode === "distance") return { labels, colours, scalars: distances(scene, segmentation, points, order) };
   if (mode === "normal") return { labels, colours, normals: true };
   return { labels, colours };
 }
 
-/** A label per point: the place of its primitive from 1, 0 for none. A point listed by several gets the first. */
-export function labelsOf({ offsets, indices }: SegmentationScene, points: number): Uint32Array {
+/**
+ * The places of a side's primitives as one is drawn over the other where they share points: the last is seen. On top is
+ * the first true primitive, and of a submission that which is matched with the first: a perfect one looks like the truth,
+ * in whatever order it lists its primitives.
+ */
+export function drawingOrder(side: Side, reports: Reports, { primitives }: SegmentationScene): number[] {
+  const places = primitives.map((_, place) => place);
+  if (side === "truth") return places.reverse();
+  const report = reports[side];
+  const ranks = new Map<number, number>();
+  report?.primitives.forEach((_, truth) => {
+    const match = placeOfMatch(report, truth);
+    if (match !== undefined && !ranks.has(match)) ranks.set(match, truth);
+  });
+  const rank = (place: number) => ranks.get(place) ?? Infinity;
+  // Those without a match lie below all others, the first of them on top.
+  return places.sort((a, b) => (rank(a) === rank(b) ? b - a : rank(b) - rank(a)));
+}
+
+/** A label per point: the place from 1 of the primitive seen there, 0 for none. */
+export function labelsOf(segmentation: SegmentationScene, points: number, order: readonly number[]): Uint32Array {
   const labels = new Uint32Array(points);
-  for (let primitive = offsets.length - 2; primitive >= 0; primitive--) {
-    for (let at = offsets[primitive] ?? 0; at < (offsets[primitive + 1] ?? 0); at++) {
-      labels[indices[at] ?? points] = primitive + 1;
-    }
+  for (const place of order) {
+    for (const index of members(segmentation, place)) labels[index] = place + 1;
   }
   return labels;
 }
@@ -160,9 +178,11 @@ export function members({ offsets, indices }: SegmentationScene, place: number):
 }
 
 /** One scale for all sides, so that they can be compared. */
-function distances(scene: ModelScene, { indices, distances: own }: SegmentationScene, points: number) {
+function distances(scene: ModelScene, { offsets, indices, distances: own }: SegmentationScene, points: number, order: readonly number[]) {
   const values = new Float32Array(points).fill(NaN);
-  indices.forEach((index, at) => (values[index] = own[at] ?? NaN));
+  for (const place of order) {
+    for (let at = offsets[place] ?? 0; at < (offsets[place + 1] ?? 0); at++) values[indices[at] ?? points] = own[at] ?? NaN;
+  }
   return { values, low: 0, high: largestDistance(scene) };
 }
 

@@ -3,7 +3,7 @@
 import { scene } from "../state/scene";
 import { selectedPrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
-import { labelling, labelsOf, partnersOf, segmentationOf } from "./colouring";
+import { drawingOrder, labelling, labelsOf, partnersOf, segmentationOf } from "./colouring";
 import { colourMode, sides } from "./display";
 import { reports } from "./reports";
 
@@ -20,7 +20,8 @@ export function frame(view: PointView, ref: PrimitiveRef): boolean {
   if (!name || !segmentation || place === undefined) return false;
   const side = at === 0 ? 0 : 1;
   // The labels of some colourings tell outcomes, not primitives.
-  view.setLabels(side, labelsOf(segmentation, state.scene.positions.length / 3));
+  const order = [...drawingOrder(name, reports.peek(), segmentation).filter((other) => other !== place), place];
+  view.setLabels(side, labelsOf(segmentation, state.scene.positions.length / 3, order));
   view.fitLabels(side, [place + 1]);
   const now = { scene: state.scene, reports: reports.peek(), selected: selectedPrimitive.peek() };
   view.setLabels(side, labelling(colourMode.peek(), name, now).labels);

@@ -47,8 +47,8 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
         </select>
       </label>
       <LookFrom view={view} />
-      <button type="button" disabled={!view} onClick={() => view?.fit()}>
-        Fit
+      <button type="button" disabled={!view} title="Bring the whole model into the view (0, while the view has the focus)" onClick={() => view?.fit()}>
+        Frame all
       </button>
       <button type="button" disabled={!view || scene.value.kind !== "ready"} title="Save a picture (C)" onClick={() => (picturing.value = true)}>
         Save picture

@@ -6,8 +6,9 @@ import type { SurfaceInfo } from "../engine/contract";
 import { scene } from "../state/scene";
 import type { Side as SideName } from "../state/selection";
 import type { Hit } from "../view/types";
-import { segmentationOf } from "./colouring";
+import { drawingOrder, members, segmentationOf } from "./colouring";
 import { sides } from "./display";
+import { reports } from "./reports";
 
 export interface Pointed {
   readonly hit: Hit;
@@ -21,16 +22,17 @@ interface Found {
   readonly distance: number;
 }
 
-/** The first primitive that lists the point, on the side where it was pointed at. */
+/** The primitive that is seen at a point, on the side where it was pointed at. */
 export function primitiveAt({ side: view, index }: Hit): Found | undefined {
   const state = scene.peek();
   if (state.kind !== "ready") return undefined;
   const side = sides.peek()[view];
   const segmentation = segmentationOf(state.scene, side);
   if (!segmentation) return undefined;
-  const at = segmentation.indices.indexOf(index);
-  if (at < 0) return undefined;
-  const place = segmentation.offsets.findIndex((end, i) => i > 0 && end > at) - 1;
+  const order = drawingOrder(side, reports.peek(), segmentation);
+  const place = order.findLast((each) => members(segmentation, each).includes(index));
+  if (place === undefined) return undefined;
+  const at = (segmentation.offsets[place] ?? 0) + members(segmentation, place).indexOf(index);
   return { side, place, distance: segmentation.distances[at] ?? NaN };
 }
 

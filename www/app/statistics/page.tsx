@@ -18,7 +18,7 @@ const FIGURES: readonly Figure[] = [
     of: ({ statistics }) => statistics.points,
     spread: ({ pointsPerModel }) => pointsPerModel,
     write: format.integer,
-    tick: "~s",
+    tick: format.shortCount,
   },
   {
     id: "primitives-per-model",

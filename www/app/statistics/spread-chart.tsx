@@ -16,7 +16,7 @@ export interface Figure {
   readonly spread: (set: DatasetStatistics) => Spread | null;
   readonly write: (value: number) => string;
   /** At ticks, where there is less room. */
-  readonly tick: string;
+  readonly tick: string | ((value: number) => string);
 }
 
 interface Row {

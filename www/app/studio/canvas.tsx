@@ -25,8 +25,8 @@ export function Canvas(): JSX.Element {
     <div class="studio-view">
       <div class="picture-tools">
         <LookFrom view={drawn} />
-        <button type="button" onClick={() => view.value?.fit()}>
-          Fit
+        <button type="button" disabled={!drawn} title="Bring all points into the view (0, while the view has the focus)" onClick={() => drawn?.fit()}>
+          Frame all
         </button>
         <Standing />
       </div>

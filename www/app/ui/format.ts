@@ -8,6 +8,12 @@ export function integer(value: number): string {
   return INTEGER.format(value);
 }
 
+/** A count where there is little room: `0`, `500`, `1.5k`, `20k`, `2M`. */
+export function shortCount(value: number): string {
+  const [size, unit] = Math.abs(value) >= 1e6 ? [1e6, "M"] : Math.abs(value) >= 1e3 ? [1e3, "k"] : [1, ""];
+  return `${Number((value / size).toPrecision(6))}${unit}`;
+}
+
 export const MISSING = "n/a";
 
 /** A measure as shown in a table: four digits after the point, small errors in powers of ten. */
@@ -34,7 +40,11 @@ export function bytes(count: number): string {
   return `${(count / 1_000_000).toFixed(1)} MB`;
 }
 
-/** A share of 1 in per cent. */
+/** A share of 1 in per cent. What is little is not nothing, and nearly all not all. */
 export function share(value: number | null): string {
-  return value === null ? MISSING : `${(100 * value).toFixed(1)} %`;
+  if (value === null) return MISSING;
+  const percent = (100 * value).toFixed(1);
+  if (value > 0 && percent === "0.0") return "< 0.1 %";
+  if (value < 1 && percent === "100.0") return "> 99.9 %";
+  return `${percent} %`;
 }
