@@ -1,9 +1,10 @@
+import { unlink } from "node:fs/promises";
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 import { Model, datasetStatistics, type DatasetStatistics } from "../../bin/engine/engine.js";
 import { drop, writeAll } from "./support/drop";
 import { filesOf } from "./support/engine";
-import { expect, picture, test } from "./support/test";
+import { expect, open, picture, rows, test } from "./support/test";
 
 const SLOW = 45_000;
 
@@ -65,6 +66,21 @@ test("the sets that are dropped are counted, drawn and read as tables", async ({
   await page.getByRole("button", { name: "test_set/PC1" }).click();
   await expect(page).not.toHaveURL(/page=statistics/);
   await expect(page.getByRole("heading", { name: "test_set/PC1" })).toBeVisible();
+});
+
+test("a model that cannot be counted is named, with the reason", async ({ page }) => {
+  const folder = test.info().outputPath("mine");
+  await writeAll(folder, [...filesOf("flange", "PC1"), ...filesOf("bracket", "PC2")]);
+  await open(page);
+  await drop(page, [folder]);
+  await expect(rows(page)).toHaveCount(2);
+  // A file that is gone once it is read again.
+  await unlink(`${folder}/pointCloud/PC1.txt`);
+  await page.getByRole("link", { name: "Statistics" }).click();
+  await expect(page.locator(".statistics [role=status]")).toContainText(/^1 model, .*; 1 model could not be counted$/, { timeout: SLOW });
+  await page.getByText("1 model of 2 could not be counted").click();
+  await expect(page.locator(".uncounted li")).toHaveText(/^PC1 \S+/);
+  await picture(page, "statistics-uncounted");
 });
 
 test("the statistics fit a phone", async ({ page }) => {

@@ -14,7 +14,7 @@ async function openStudio(page: Page, fragment = ""): Promise<void> {
   await expect(standing(page)).toContainText("points", { timeout: SLOW });
 }
 
-const standing = (page: Page) => page.locator(".studio-view [role=status]");
+const standing = (page: Page) => page.locator(".studio-view .picture-tools [role=status]");
 const press = (page: Page, name: string | RegExp) => page.getByRole("button", { name, exact: typeof name === "string" }).click();
 const cuts = (page: Page) => page.getByRole("list", { name: "Cuts" }).getByRole("listitem");
 
@@ -128,6 +128,47 @@ test("a case is composed, worn, cut, undone, sent, saved and scored", async ({ p
   await expect(page.getByRole("heading", { name: "case", exact: true })).toBeVisible({ timeout: SLOW });
   await expect(page.getByRole("tab", { name: "Fit" })).toHaveAttribute("aria-selected", "true");
   await expect(page.locator(".stage-title")).toContainText(`${halved.points.toLocaleString("en")} points`);
+  expect(new URL(page.url()).hash, "the case is no longer what the address is about").toBe("");
+});
+
+test("a refused number is explained, blocks far apart are warned of, and a rectangle cuts by keyboard", async ({ page }) => {
+  await openStudio(page);
+  const spacing = page.getByLabel("Spacing");
+  await fill(page, "Spacing", 7);
+  await expect(page.getByRole("alert")).toHaveText("7 was not taken: Spacing is a number from 0.0005 to 0.1.");
+  await expect(spacing).toHaveValue("0.012");
+  await picture(page, "studio-refused");
+  await spacing.fill("-1");
+  await spacing.press("Tab");
+  await expect(page.getByRole("alert")).toContainText("-1 was not taken");
+  await expect(spacing).toHaveValue("0.012");
+  // What is typed and not yet taken over goes with Escape, and so does the message.
+  await spacing.fill("0.5");
+  await spacing.press("Escape");
+  await expect(page.getByRole("alert")).toHaveCount(0);
+  await expect(spacing).toHaveValue("0.012");
+
+  const whole = await made(page);
+  await page.getByRole("radio", { name: "Lasso" }).check({ force: true });
+  await press(page, "place a rectangle");
+  const lasso = page.getByRole("application", { name: "Lasso" });
+  await expect(lasso).toBeFocused();
+  for (const key of ["ArrowRight", "ArrowUp", "Shift+ArrowRight"]) await page.keyboard.press(key);
+  await expect(lasso.getByRole("status")).toHaveText(/^Rectangle 32 % wide and 30 % high, its middle 52 % from the left and 48 % from the top: [1-9][\d,]* points inside\.$/);
+  await accessible(page);
+  await picture(page, "studio-rectangle");
+  await page.keyboard.press("Enter");
+  await expect(cuts(page).first()).toContainText(/Lasso 1 all the way through: [\d,]+ points/, { timeout: SLOW });
+  expect((await made(page)).points).toBeLessThan(whole.points);
+
+  await page.getByRole("radio", { name: "Ball" }).check({ force: true });
+  await fill(page, "Point number", 1);
+  await fill(page, "Centre x", 3);
+  await expect(page.getByLabel("Point number", { exact: true })).toHaveValue("");
+  await page.getByRole("button", { name: /Cone/ }).click();
+  await fill(page, "position x of block 2", 4000);
+  await expect(page.locator(".studio-warning")).toContainText(/primitives have fewer than 10 points/, { timeout: SLOW });
+  await picture(page, "studio-thin");
 });
 
 /** The files that are saved, by name. */

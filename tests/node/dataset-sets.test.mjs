@@ -12,26 +12,35 @@ test("the two sets of the whole repository are told by their folders", () => {
     b: "Fit4CAD-main.zip/Fit4CAD-main/dataset/training_set/PC2.txt",
     c: "Fit4CAD-main.zip/Fit4CAD-main/dataset/test_set/pointCloud/PC1.txt",
   });
-  assert.deepEqual(found, { training_set: ["a", "b"], test_set: ["c"] });
+  assert.deepEqual(found, { a: "training_set", b: "training_set", c: "test_set" });
 });
 
-test("the folders of one set make no sets", () => {
-  const found = sets({ a: "dataset/test_set/pointCloud/PC1.txt", b: "dataset/test_set/pointCloud/PC2.txt" });
-  assert.deepEqual(Object.values(found), [["a", "b"]]);
+test("a set is called the same whatever else is there", () => {
+  const mine = { a: "downloads/test_sample.zip/pointCloud/PC1.txt" };
+  assert.deepEqual(sets(mine), { a: "test_sample" });
+  assert.deepEqual(sets({ ...mine, b: "training_set.zip/PC1.txt", c: "x/y/z/PC1.txt", d: "PC9.txt" }), {
+    a: "test_sample",
+    b: "training_set",
+    c: "z",
+    d: LOOSE,
+  });
 });
 
-test("two zips are two sets, named without their ending", () => {
-  const found = sets({ a: "training_set.zip/PC1.txt", b: "test_sample/pointCloud/PC1.txt" });
-  assert.deepEqual(found, { training_set: ["a"], test_sample: ["b"] });
+test("the folders of roles make no sets", () => {
+  const roles = { a: "s/pointCloud/PC1.txt", b: "s/pointCloud_primitives/PC2_primitives.txt", c: "s/pointCloud_parametric_HT/PC3.txt" };
+  assert.deepEqual(sets(roles), { a: "s", b: "s", c: "s" });
+});
+
+test("two folders of one name are told apart by those around them", () => {
+  assert.deepEqual(sets({ a: "2023/test_set/PC1.txt", b: "2024/test_set/PC1.txt", c: "train/PC1.txt" }), {
+    a: "2023/test_set",
+    b: "2024/test_set",
+    c: "train",
+  });
+  assert.deepEqual(sets({ a: "test_set/PC1.txt", b: "2024/test_set/PC1.txt" }), { a: "test_set", b: "2024/test_set" });
 });
 
 test("models without a folder are a set of their own", () => {
-  assert.deepEqual(sets({ a: "PC1.txt", b: undefined }), { [LOOSE]: ["a", "b"] });
-  assert.deepEqual(sets({ a: "mine/PC1.txt", b: undefined }), { mine: ["a"], [LOOSE]: ["b"] });
+  assert.deepEqual(sets({ a: "PC1.txt", b: undefined, c: "pointCloud/PC1.txt" }), { a: LOOSE, b: LOOSE, c: LOOSE });
   assert.deepEqual(sets({}), {});
-});
-
-test("many folders are one set", () => {
-  const paths = Object.fromEntries(["a", "b", "c", "d", "e"].map((id) => [id, `root/${id}/PC.txt`]));
-  assert.deepEqual(sets(paths), { "all models": ["a", "b", "c", "d", "e"] });
 });

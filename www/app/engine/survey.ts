@@ -17,6 +17,8 @@ export interface Survey<Answer> {
   readonly progress: ReadonlySignal<{ readonly done: number; readonly total: number } | undefined>;
   /** Asks about those not asked about yet. */
   readonly ask: (sources: readonly ModelSource[]) => void;
+  /** Asks once more about those that failed. */
+  readonly retry: (sources: readonly ModelSource[]) => void;
   /** Gives up what is under way; answers stay. */
   readonly stop: () => void;
 }
@@ -63,14 +65,20 @@ export function survey<Answer>(
     }
   };
 
+  const ask = (sources: readonly ModelSource[]) => {
+    const fresh = sources.filter(({ key }) => !underWay.has(key) && !outcomes.peek().has(key));
+    if (fresh.length === 0) return;
+    asked.value += fresh.length;
+    for (const source of fresh) void askOf(source, controller.signal);
+  };
+
   return {
     outcomes,
     progress: computed(() => (asked.value > 0 ? { done: done.value, total: asked.value } : undefined)),
-    ask(sources) {
-      const fresh = sources.filter(({ key }) => !underWay.has(key) && !outcomes.peek().has(key));
-      if (fresh.length === 0) return;
-      asked.value += fresh.length;
-      for (const source of fresh) void askOf(source, controller.signal);
+    ask,
+    retry(sources) {
+      outcomes.value = new Map([...outcomes.peek()].filter(([, { kind }]) => kind !== "failed"));
+      ask(sources);
     },
     stop() {
       controller.abort(new DOMException("Stopped by the reader.", "AbortError"));

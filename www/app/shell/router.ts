@@ -1,6 +1,7 @@
-// Which page is shown: `?page=…`. The fragment is left alone; links keep results there.
+// Which page is shown: `?page=…`. Shared results, which links keep in the fragment, hold on every page.
 
 import { signal } from "@preact/signals";
+import { isShared } from "../sharing/fragment";
 import type { Load } from "../ui/lazy";
 
 export interface PageDefinition {
@@ -25,14 +26,15 @@ addEventListener("popstate", () => {
   page.value = fromAddress();
 });
 
-/** The address of a page, with everything else of the present address kept but the step of a lesson. */
+/** The address of a page, with everything else of the present address kept but what belongs to the page that is left. */
 export function addressOf(id: string): string {
   const query = new URLSearchParams(location.search);
   query.delete("step");
   if (id === HOME) query.delete("page");
   else query.set("page", id);
   const search = query.size > 0 ? `?${query}` : "";
-  return `${location.pathname}${search}${location.hash}`;
+  const fragment = id === page.value || isShared(location.hash) ? location.hash : "";
+  return `${location.pathname}${search}${fragment}`;
 }
 
 export function goTo(id: string): void {

@@ -6,7 +6,8 @@ import { models } from "../state/models";
 import * as format from "../ui/format";
 import { ModelsTable } from "./models-table";
 import { SpreadChart, type Figure } from "./spread-chart";
-import { counted, counts, follow, sums } from "./state";
+import { Icon } from "../ui/icon";
+import { countAgain, counted, counts, follow, sums, uncounted } from "./state";
 import { TypeBars } from "./type-bars";
 import "./statistics.css";
 
@@ -45,13 +46,20 @@ export default function Statistics(): JSX.Element {
   const progress = counts.progress.value;
   const known = sums.value;
   const several = (known?.sets.length ?? 0) > 1;
+  const [only] = known?.sets ?? [];
+  // Too many sets are drawn as one.
+  const drawn = several || !only ? counted.value : counted.value.map((model) => ({ ...model, set: only.name }));
   return (
     <div class="statistics">
       <header>
         <h2>Dataset statistics</h2>
-        <p role="status">{known && summary()}</p>
+        <p role="status">
+          {known && summary()}
+          {uncounted.value.length > 0 && `; ${format.plural(uncounted.value.length, "model")} could not be counted`}
+        </p>
         {progress && <progress aria-label="Models counted" value={progress.done} max={progress.total} />}
       </header>
+      <Uncounted />
       {known && known.all.models > 0 ? (
         <>
           <div class="chart-grid">
@@ -61,7 +69,7 @@ export default function Statistics(): JSX.Element {
                 <TypeBars key={set.name} set={set} only={!several} />
               ))}
             {FIGURES.map((figure) => (
-              <SpreadChart key={figure.id} figure={figure} models={counted.value} sets={known.sets} />
+              <SpreadChart key={figure.id} figure={figure} models={drawn} sets={known.sets} />
             ))}
           </div>
           <div class="statistics-table" role="region" aria-label="Models" tabIndex={0}>
@@ -69,9 +77,32 @@ export default function Statistics(): JSX.Element {
           </div>
         </>
       ) : (
-        <p class="empty">{models.value.length > 0 ? "Counting…" : "Drop a set of models anywhere on the page to count what it holds."}</p>
+        <p class="empty">{progress ? "Counting…" : models.value.length > 0 ? "There is nothing to show." : "Drop a set of models anywhere on the page to count what it holds."}</p>
       )}
     </div>
+  );
+}
+
+/** Sums without some of the models must not look like sums of all. */
+function Uncounted(): JSX.Element | null {
+  const lacking = uncounted.value;
+  if (lacking.length === 0) return null;
+  return (
+    <details class="uncounted">
+      <summary>
+        <Icon name="error" /> {format.plural(lacking.length, "model")} of {format.integer(models.value.length)} could not be counted and {lacking.length === 1 ? "is" : "are"} left out: why
+      </summary>
+      <ul>
+        {lacking.map(({ id, reason }) => (
+          <li key={id}>
+            <strong>{id}</strong> {reason}
+          </li>
+        ))}
+      </ul>
+      <button type="button" onClick={countAgain}>
+        Try again
+      </button>
+    </details>
   );
 }
 

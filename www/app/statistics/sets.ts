@@ -8,27 +8,34 @@ export interface Placed {
 
 /** Models without a folder of their own: pasted, or made here. */
 export const LOOSE = "other models";
-/** More sets than these would make a drawing each that nobody compares: then all are one. */
-const MOST_SETS = 4;
+
+/** The folders that keep the files of one set apart by what they are: `pointCloud`, `pointCloud_primitives`. */
+const ROLE_FOLDER = /^(point_?clouds?|clouds|points)$|^(pointcloud_)?(primitives|parametric|implicit)(_|$)/i;
 
 /**
- * The models by set, named by the first folder in which their paths differ; in order of arrival. The training and
- * the test set of the whole repository are two, the folders per role of one of them are none.
+ * The set of each model: the folder it was dropped in, that of its role left out. What a set is called depends on its
+ * own path alone, but for two folders of one name, which are told apart by as many of those around them as it takes.
  */
-export function setsOf(models: readonly Placed[]): ReadonlyMap<string, readonly string[]> {
-  const folders = new Map(models.map(({ id, path }) => [id, path?.split("/").slice(0, -1).map(bare) ?? []]));
-  const deep = [...folders.values()].filter((own) => own.length > 0);
-  const [first = []] = deep;
-  let shared = 0;
-  while (shared < first.length && deep.every((own) => own[shared] === first[shared])) shared += 1;
-  const sets = new Map<string, string[]>();
-  for (const { id } of models) {
-    const own = folders.get(id) ?? [];
-    const name = own[shared] ?? own.at(-1) ?? LOOSE;
-    sets.set(name, [...(sets.get(name) ?? []), id]);
+export function setsOf(models: readonly Placed[]): ReadonlyMap<string, string> {
+  const folders = new Map(models.map(({ id, path }) => [id, folderOf(path)]));
+  const distinct = new Map([...folders.values()].map((folder) => [folder.join("/"), folder]));
+  const all = [...distinct.values()];
+  const names = new Map(Array.from(distinct, ([whole, folder]) => [whole, folder.length === 0 ? LOOSE : nameOf(folder, all)]));
+  return new Map(Array.from(folders, ([id, folder]) => [id, names.get(folder.join("/")) ?? LOOSE]));
+}
+
+function folderOf(path: string | undefined): string[] {
+  const folders = path?.split("/").slice(0, -1).map(bare) ?? [];
+  return ROLE_FOLDER.test(folders.at(-1) ?? "") ? folders.slice(0, -1) : folders;
+}
+
+/** The last folder, and of those around it as many as no other set of that name has. */
+function nameOf(folder: readonly string[], all: readonly (readonly string[])[]): string {
+  for (let count = 1; count < folder.length; count += 1) {
+    const name = folder.slice(-count).join("/");
+    if (all.filter((other) => other.slice(-count).join("/") === name).length === 1) return name;
   }
-  if (sets.size <= MOST_SETS) return sets;
-  return new Map([["all models", models.map(({ id }) => id)]]);
+  return folder.join("/");
 }
 
 /** A zip is a folder like others. */

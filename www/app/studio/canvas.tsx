@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { effect } from "@preact/signals";
 import { isDark } from "../state/settings";
 import * as format from "../ui/format";
@@ -10,12 +10,12 @@ import { LiveView } from "../view/live-view";
 import { bytes, segmentColour, UNSEGMENTED } from "../view/palette";
 import type { PointView } from "../view/point-view";
 import { LookFrom } from "../view/look-from";
-import { depthOf, lassoOf } from "./lasso";
+import { isGenerated } from "./case";
+import { LassoLayer } from "./lasso-layer";
 import { vanished } from "./missing-section";
 import { failure, made, making, stop } from "./state";
-import { cutAway, inBall, placeBall, pointAt, reach, tool } from "./tools";
-
-type Corner = readonly [number, number];
+import { thinIn, thinness } from "./thin";
+import { inBall, placeBallOn, tool } from "./tools";
 
 export function Canvas(): JSX.Element {
   const view = useSignal<PointView | undefined>(undefined);
@@ -36,13 +36,29 @@ export function Canvas(): JSX.Element {
         onView={(created) => (view.value = created)}
       >
         {tool.value === "lasso" && view.value && <LassoLayer view={view.value} />}
-        {failure.value !== undefined && (
-          <p class="studio-failure" role="alert">
-            {failure.value}
-          </p>
-        )}
+        <Trouble />
       </LiveView>
     </div>
+  );
+}
+
+/** Why the case cannot be made, or what is wrong with it. */
+function Trouble(): JSX.Element | null {
+  if (failure.value !== undefined) {
+    return (
+      <p class="studio-failure" role="alert">
+        {failure.value}
+      </p>
+    );
+  }
+  const { of, result } = made.value ?? {};
+  if (!of || !isGenerated(of) || !result?.truth) return null;
+  const { truth, diagonal } = result;
+  const warning = thinness(thinIn(truth), truth.primitives.length, of.sampling.spacing * diagonal);
+  return warning === undefined ? null : (
+    <p class="studio-warning" role="status">
+      {warning}
+    </p>
   );
 }
 
@@ -103,61 +119,8 @@ function show(view: PointView): () => void {
     }),
     effect(labels),
     view.on("click", (hit) => {
-      const place = hit && pointAt(hit.index);
-      if (tool.value === "ball" && place) placeBall({ centre: place });
+      if (tool.value === "ball" && hit) placeBallOn(hit.index);
     }),
   ];
   return () => ends.forEach((end) => end());
-}
-
-function LassoLayer({ view }: { view: PointView }): JSX.Element {
-  const curve = useSignal<readonly Corner[]>([]);
-  const layer = useRef<HTMLDivElement>(null);
-
-  useEffect(() => {
-    const drop = (event: KeyboardEvent) => {
-      if (event.key === "Escape") curve.value = [];
-    };
-    window.addEventListener("keydown", drop);
-    return () => window.removeEventListener("keydown", drop);
-  }, [curve]);
-
-  const end = () => {
-    const corners = curve.value;
-    curve.value = [];
-    const result = made.value?.result;
-    const { clientWidth: width, clientHeight: height } = view.canvas;
-    if (!result || making.value || height === 0) return;
-    const lasso = lassoOf(corners, { width, height, camera: view.camera, centre: result.centre });
-    if (!lasso) return;
-    const hit = view.pointsIn(0, { kind: "polygon", corners }, reach.value === "seen");
-    if (hit.length === 0) return;
-    if (reach.value === "through") return cutAway(lasso);
-    // A little more than the deepest: what is seen must not stay for want of a digit.
-    const depths = Array.from(hit, (index) => depthOf(lasso, pointAt(index) ?? lasso.target));
-    const deepest = depths.reduce((most, depth) => Math.max(most, depth), -Infinity);
-    cutAway({ ...lasso, depth: deepest + view.spacing / 4 });
-  };
-
-  return (
-    <div
-      ref={layer}
-      class="lasso"
-      onPointerDown={(event) => {
-        if (event.button !== 0) return;
-        event.currentTarget.setPointerCapture(event.pointerId);
-        curve.value = [[event.offsetX, event.offsetY]];
-      }}
-      onPointerMove={({ offsetX, offsetY }) => {
-        if (curve.value.length > 0) curve.value = [...curve.value, [offsetX, offsetY]];
-      }}
-      onPointerUp={end}
-      onPointerCancel={() => (curve.value = [])}
-      onWheel={(event) => view.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY)}
-    >
-      <svg aria-hidden="true">
-        <polygon points={curve.value.map((corner) => corner.join(",")).join(" ")} />
-      </svg>
-    </div>
-  );
 }

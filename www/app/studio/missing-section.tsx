@@ -1,14 +1,14 @@
 // Missing data: what has been cut away, and with what to cut.
 
 import type { JSX } from "preact";
-import { useSignal } from "@preact/signals";
 import * as format from "../ui/format";
 import { Choice } from "../ui/choice";
 import { removed, withAxis } from "./blocks";
 import type { Cut } from "./case";
 import { NumberField } from "./number-field";
 import { current, edit, made } from "./state";
-import { ball, cutBall, inBall, placeBall, pointAt, reach, tool } from "./tools";
+import { focusLasso } from "./lasso-layer";
+import { ball, ballPoint, cutBall, inBall, placeBall, placeBallOn, reach, tool } from "./tools";
 
 export function MissingSection(): JSX.Element {
   return (
@@ -23,7 +23,13 @@ export function MissingSection(): JSX.Element {
       {tool.value === "turn" && <p class="hint">Take the lasso or the ball to cut points away. The ground truth follows.</p>}
       {tool.value === "lasso" && (
         <>
-          <p class="hint">Draw around points in the view. By keyboard, use the ball.</p>
+          <p class="hint">
+            Draw around points in the view, or{" "}
+            <button type="button" class="link" onClick={focusLasso}>
+              place a rectangle
+            </button>{" "}
+            by keyboard: arrow keys move it, with Shift they size it, Enter cuts.
+          </p>
           <Choice
             label="Cut"
             value={reach.value}
@@ -39,7 +45,6 @@ export function MissingSection(): JSX.Element {
 }
 
 function BallForm(): JSX.Element {
-  const point = useSignal(1);
   const { centre, radius } = ball.value ?? { centre: [0, 0, 0] as const, radius: 1 };
   const count = (made.value?.result.positions.length ?? 0) / 3;
   return (
@@ -48,15 +53,12 @@ function BallForm(): JSX.Element {
       <div class="studio-fields">
         <NumberField
           label="Point number"
-          value={point.value}
+          value={ballPoint.value === undefined ? undefined : ballPoint.value + 1}
           min={1}
           max={Math.max(1, count)}
           whole
-          onValue={(value) => {
-            point.value = value;
-            const place = pointAt(value - 1);
-            if (place) placeBall({ centre: place });
-          }}
+          hint="Empty while the ball is on no point"
+          onValue={(value) => placeBallOn(value - 1)}
         />
         <NumberField label="Radius" value={radius} min={1e-9} step={Math.max(radius / 10, 1e-9)} onValue={(value) => placeBall({ radius: value })} />
         <span />
@@ -65,6 +67,8 @@ function BallForm(): JSX.Element {
             key={axis}
             label={`Centre ${axis}`}
             value={centre[at] ?? 0}
+            min={-1e9}
+            max={1e9}
             onValue={(value) => placeBall({ centre: withAxis(centre, at, value) })}
           />
         ))}

@@ -1,6 +1,7 @@
 // What the case is made of: blocks, a sample part, or a model on the page.
 
 import type { JSX } from "preact";
+import { truthOnly } from "../state/content";
 import { models } from "../state/models";
 import { BlockList } from "./block-list";
 import { FIRST, type Base } from "./case";
@@ -10,8 +11,8 @@ export function PartSection(): JSX.Element {
   const { name, base } = current.value;
   const chosen = choiceOf(base);
   const loaded = models.value.filter(({ source }) => source.files.some(({ role }) => role === "cloud"));
-  // A model taken off the page is still the case's.
-  const gone = base.kind === "files" && !loaded.some(({ source }) => source.key === base.source.key);
+  // A model taken off the page is still the case's; one that only got other submissions is the same.
+  const gone = base.kind === "files" && !loaded.some(({ source }) => truthOnly(source).key === base.source.key);
 
   const choose = (choice: string) => {
     const [kind = "", ...rest] = choice.split(":");
@@ -22,7 +23,7 @@ export function PartSection(): JSX.Element {
       edit({ name: which, base: { kind: "sample", part: which }, cuts: [] }, `Open ${which}`);
     } else {
       const entry = loaded.find(({ id }) => id === which);
-      if (entry) edit({ name: `${entry.id.split("/").at(-1)}-case`, base: { kind: "files", source: entry.source }, cuts: [] }, `Open ${entry.id}`);
+      if (entry) edit({ name: `${entry.id.split("/").at(-1)}-case`, base: { kind: "files", source: truthOnly(entry.source) }, cuts: [] }, `Open ${entry.id}`);
     }
   };
 

@@ -35,8 +35,7 @@ let session: Session | undefined;
 /** Begins the studio's work; it goes on until `close`. */
 export function open(): void {
   readAddress();
-  start();
-  void session?.engine.stock().then((found) => (stock.value = found), tell);
+  remake();
 }
 
 export function close(): void {
@@ -51,7 +50,7 @@ export function close(): void {
 /** Gives up making the present case, which takes too long. */
 export function stop(): void {
   session?.worker.terminate();
-  session = undefined;
+  start();
   batch(() => {
     making.value = false;
     failure.value = "It was stopped. Undo the last step, or change something to try again.";
@@ -64,7 +63,7 @@ export async function ask<T>(question: (engine: Comlink.Remote<StudioWorker>) =>
   return question(session.engine);
 }
 
-function start(): void {
+function start(): Session {
   const worker = new Worker(new URL("../../worker/studio.ts", import.meta.url), { type: "module", name: "studio" });
   const engine = Comlink.wrap<StudioWorker>(worker);
   const own: Session = {
@@ -86,7 +85,9 @@ function start(): void {
   };
   worker.addEventListener("error", (event) => tell(new Error(event.message || "The engine could not be started.")));
   session = own;
-  remake();
+  // Asked before the case: one that takes long, and is stopped, must not leave the forms empty.
+  if (stock.peek().shapes.length === 0) void engine.stock().then((found) => (stock.value = found), tell);
+  return own;
 }
 
 function tell(error: unknown): void {
@@ -97,10 +98,7 @@ function tell(error: unknown): void {
 }
 
 function remake(): void {
-  if (!session) {
-    start();
-    return;
-  }
+  session ??= start();
   making.value = true;
   void session.make(current.value);
 }

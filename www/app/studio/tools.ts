@@ -2,6 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import type { Cut, Vector } from "./case";
+import { rounded } from "./rounding";
 import { current, edit, made } from "./state";
 
 export type Tool = "turn" | "lasso" | "ball";
@@ -11,26 +12,56 @@ export const tool = signal<Tool>("turn");
 /** How deep a lasso cuts: all the way through, or as deep as the deepest point that can be seen. */
 export const reach = signal<Reach>("through");
 
-const placed = signal<{ readonly centre: Vector; readonly radius: number | undefined } | undefined>(undefined);
+interface Placed {
+  readonly centre: Vector | undefined;
+  readonly radius: number | undefined;
+  /** The point it was put on, counted from 0. */
+  readonly point: number | undefined;
+}
+
+const placed = signal<Placed>({ centre: undefined, radius: undefined, point: undefined });
 
 /** The ball in hand, in the coordinates of the files. */
 export const ball = computed(() => {
   const result = made.value?.result;
   if (!result) return undefined;
-  const usual = Number((result.diagonal / 10).toPrecision(2));
-  return { centre: placed.value?.centre ?? result.centre, radius: placed.value?.radius ?? usual };
+  const { centre, radius } = placed.value;
+  return {
+    centre: centre ?? rounded(result.centre, result.diagonal),
+    radius: radius ?? Number((result.diagonal / 10).toPrecision(2)),
+  };
+});
+
+/** The point the ball is on, counted from 0; nothing once either has moved. */
+export const ballPoint = computed(() => {
+  const { centre, point } = placed.value;
+  const place = point === undefined ? undefined : pointAt(point);
+  return place && centre?.every((coordinate, axis) => coordinate === place[axis]) ? point : undefined;
 });
 
 export function placeBall(change: Partial<{ centre: Vector; radius: number }>): void {
-  if (ball.value) placed.value = { ...ball.value, ...change };
+  placed.value = { ...placed.value, ...change };
 }
 
-/** Where a point of the case is, counted from 0. */
+/** Puts the ball on a point, counted from 0. */
+export function placeBallOn(point: number): void {
+  const centre = pointAt(point);
+  if (centre) placed.value = { ...placed.value, centre, point };
+}
+
+/** Where a point of the case is, counted from 0, without digits that say nothing. */
 export function pointAt(index: number): Vector | undefined {
+  const result = made.value?.result;
+  const place = exactly(index);
+  return result && place && rounded(place, result.diagonal);
+}
+
+/** The same as the engine has it, but for single precision. */
+export function exactly(index: number): Vector | undefined {
   const result = made.value?.result;
   if (!result || index < 0 || 3 * index >= result.positions.length) return undefined;
   const { positions, centre } = result;
-  const at = (axis: 0 | 1 | 2) => Number(((positions[3 * index + axis] ?? 0) + centre[axis]).toPrecision(7));
+  const at = (axis: 0 | 1 | 2) => (positions[3 * index + axis] ?? 0) + centre[axis];
   return [at(0), at(1), at(2)];
 }
 

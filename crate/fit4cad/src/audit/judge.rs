@@ -146,7 +146,12 @@ pub(super) fn judge(
             "{message} {} of the primitive's diagonal off its surface",
             percent(value)
         );
-        let hint = "All its other points lie on the surface; take these out of its list".to_owned();
+        let them = if verdict.stray.len() == 1 {
+            "this one"
+        } else {
+            "these"
+        };
+        let hint = format!("All its other points lie on the surface; take {them} out of its list");
         add(
             Check::StrayPoint,
             severity_of(value),
