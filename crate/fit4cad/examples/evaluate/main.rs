@@ -4,7 +4,7 @@
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
 //!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE]
-//!     [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [NAME=VALUE]…
+//!     [--digits N] [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [NAME=VALUE]…
 //! ```
 //! DIR holds PC1.txt, PC1_primitives.txt, …; `parts` stands for the catalogue of generated parts and
 //! for combs of narrow grooves ([`comb`]). `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
@@ -123,6 +123,7 @@ impl Options {
                 "--drop" => options.stress.drop = value()?.parse()?,
                 "--turn" => options.stress.turn = true,
                 "--noise" => options.stress.noise = value()?.parse()?,
+                "--digits" => options.stress.digits = Some(value()?.parse()?),
                 "--outliers" => options.stress.outliers = value()?.parse()?,
                 "--missing" => options.stress.missing = value()?.parse()?,
                 "--lost" => options.lost = true,

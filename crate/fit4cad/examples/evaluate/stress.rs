@@ -18,6 +18,8 @@ pub struct Stress {
     pub missing: f64,
     /// Standard deviation of Gaussian noise, in diagonals of the bounding box.
     pub noise: f64,
+    /// Decimals that coordinates are rounded to, after the diagonal's power of ten.
+    pub digits: Option<u32>,
     /// Points spread evenly over the bounding box, per point of the cloud.
     pub outliers: f64,
     /// Whether the cloud is turned, moved and its points put in another order.
@@ -39,6 +41,9 @@ impl Stress {
             model = rearranged(model, &kept);
         }
         self.wear(&mut model);
+        if let Some(digits) = self.digits {
+            round(&mut model, digits);
+        }
         if self.turn {
             turn(&mut model);
             let mut order: Vec<u32> = (0u32..).take(model.cloud.len()).collect();
@@ -148,6 +153,15 @@ fn turn(model: &mut Model) {
     let away = Vector::repeat(0.3 * model.cloud.bounds().diagonal());
     let motion = Isometry3::from_parts(Translation3::from(away), turn);
     let points = model.cloud.points().iter().map(|p| motion * p).collect();
+    model.cloud = Cloud::new(points);
+}
+
+/// Coordinates as a file with few digits has them. True surfaces stay behind.
+fn round(model: &mut Model, digits: u32) {
+    let magnitude = model.cloud.bounds().diagonal().log10().round();
+    let steps = 10f64.powf(f64::from(digits) - magnitude);
+    let round = |x: f64| (x * steps).round() / steps;
+    let points = model.cloud.points().iter().map(|p| p.map(round)).collect();
     model.cloud = Cloud::new(points);
 }
 

@@ -8,7 +8,7 @@
 
 use nalgebra::{Matrix2, SMatrix, SVector, SymmetricEigen};
 
-use super::least_squares::{self, Fitted, Loss, degrees_of_freedom};
+use super::least_squares::{self, Loss, degrees_of_freedom};
 use super::quadric::Quadric;
 use crate::cloud::normals::Spread;
 use crate::cloud::{Bounds, Direction, Point, Vector};
@@ -280,27 +280,6 @@ pub fn polish(
 }
 
 const ROBUST_ROUNDS: usize = 6;
-
-/// How well the best simple surface passes through a patch: its residual standard deviation.
-/// Simple means plane, sphere or cylinder: enough for the noise of a cloud that has any of them.
-pub fn residual(patch: &[Point]) -> Option<f64> {
-    let kinds = [
-        SurfaceType::Plane,
-        SurfaceType::Sphere,
-        SurfaceType::Cylinder,
-    ];
-    kinds
-        .into_iter()
-        .flat_map(|kind| starts(kind, patch))
-        .filter_map(|start| {
-            let Fitted { surface, error } = least_squares::fit(&start, patch, Loss::Squares)?;
-            let spare = patch
-                .len()
-                .checked_sub(degrees_of_freedom(surface.kind()))?;
-            (spare > 0).then(|| error * (patch.len() as f64 / spare as f64).sqrt())
-        })
-        .min_by(f64::total_cmp)
-}
 
 #[cfg(test)]
 mod tests;

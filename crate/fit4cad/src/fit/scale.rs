@@ -1,9 +1,9 @@
 //! The scale of a cloud: extent, spacing, noise, and how near a surface a point must lie.
 
-use super::local;
+mod noise;
+
 use crate::cloud::neighbours::Neighbourhoods;
 use crate::cloud::{Cloud, Point};
-use crate::surface::SurfaceType;
 
 /// Lengths that everything else is relative to, in the units of the cloud. None depends on the
 /// orientation of the axes beyond what the bounding box does.
@@ -19,36 +19,28 @@ pub struct Scale {
     pub tolerance: f64,
 }
 
-/// Tolerances of clouds with no noise to speak of, in diagonals, tried in turn. The benchmark's
-/// points lie on their surfaces to 1e-7 of the diagonal; between 1e-6 and 1e-5 results do not change,
-/// above they get worse. The larger ones serve clouds whose coordinates were rounded.
-const LEVELS: [f64; 3] = [3e-6, 1e-5, 4e-5];
-/// Share of small patches with an exact surface through half their points that makes a cloud exact.
-/// Noise leaves none; free-form regions, edges and thin walls leave fewer.
-const EXACT_SHARE: f64 = 0.1;
-/// Tolerance in standard deviations: 0.5 % of Gaussian points lie beyond it.
-const SIGMAS: f64 = 2.8;
-/// Local patches measured to estimate the noise.
-const SAMPLES: usize = 400;
+/// Least noise, in diagonals. The benchmark's points lie on their surfaces to 1e-7 of the diagonal or
+/// better; up to this nothing changes, and accidents within it are rare.
+const FLOOR: f64 = 7.5e-7;
+/// Tolerance in standard deviations where the noise is small against the spacing: hardly a point in
+/// ten thousand lies beyond it, so that a face is found whole.
+const SIGMAS: f64 = 4.0;
+/// Tolerance, in spacings, up to which a handful of points on one surface are no accident.
+const CLEAN: f64 = 0.01;
+/// [`SIGMAS`] where it is not, so that a wider tolerance would take in points of other faces: 0.5 % of Gaussian
+/// points lie beyond it.
+const NOISY_SIGMAS: f64 = 2.8;
 
 impl Scale {
     /// Measures a cloud. `tolerance` in diagonals overrides the estimate where it is positive.
     pub fn measure(cloud: &Cloud, graph: &Neighbourhoods, tolerance: f64) -> Self {
         let diagonal = cloud.bounds().diagonal();
         let spacing = spacing(cloud.points(), graph);
-        let exact = LEVELS
-            .into_iter()
-            .map(|level| level * diagonal)
-            .find(|&level| {
-                let is_finest = level <= LEVELS[0] * diagonal;
-                share_of_exact_patches(cloud.points(), graph, level, is_finest) >= EXACT_SHARE
-            });
-        let (noise, estimated) = match exact {
-            Some(level) => (level / SIGMAS, level),
-            None => {
-                let noise = noise(cloud.points(), graph);
-                (noise, SIGMAS * noise)
-            }
+        let noise = noise::noise(cloud.points(), graph, spacing, FLOOR * diagonal);
+        let sigmas = if SIGMAS * noise < CLEAN * spacing {
+            SIGMAS
+        } else {
+            NOISY_SIGMAS
         };
         Self {
             diagonal,
@@ -57,14 +49,14 @@ impl Scale {
             tolerance: if tolerance > 0.0 {
                 tolerance * diagonal
             } else {
-                estimated
+                sigmas * noise
             },
         }
     }
 
     /// Whether the points are so exact that a handful of them on one surface is no accident.
     pub fn is_clean(&self) -> bool {
-        self.tolerance < 0.01 * self.spacing
+        self.tolerance < CLEAN * self.spacing
     }
 }
 
@@ -80,70 +72,6 @@ fn spacing(points: &[Point], graph: &Neighbourhoods) -> f64 {
         })
         .collect();
     quantile(&mut distances, 0.5)
-}
-
-/// Share of sampled neighbourhoods at least half of which lie on one surface to the tolerance.
-fn share_of_exact_patches(
-    points: &[Point],
-    graph: &Neighbourhoods,
-    tolerance: f64,
-    is_finest: bool,
-) -> f64 {
-    // Cones and tori take longer to try; at the finest level a cloud may be nothing else.
-    let kinds: &[SurfaceType] = if is_finest {
-        &SurfaceType::ALL
-    } else {
-        &[
-            SurfaceType::Plane,
-            SurfaceType::Cylinder,
-            SurfaceType::Sphere,
-        ]
-    };
-    let stride = points.len().div_ceil(SAMPLES / 4).max(1);
-    let (mut exact, mut all) = (0u32, 0u32);
-    for index in (0u32..).take(points.len()).step_by(stride) {
-        let patch = patch(points, graph, index);
-        all += 1;
-        let is_exact = |patch: &[Point], needed: usize| {
-            kinds.iter().any(|&kind| {
-                local::starts(kind, patch)
-                    .iter()
-                    .any(|start| local::polish(start, patch, tolerance, needed).is_some())
-            })
-        };
-        // The few nearest points are on one sheet where the sheets of a thin wall are close.
-        let few = &patch[..patch.len().min(10)];
-        // At the finest level noise leaves no accidents. At the others, robust fits through half a
-        // patch and planes through three points find some, so all points of a patch must agree.
-        let found = is_exact(few, few.len())
-            || is_finest
-                && (is_exact(&patch, patch.len().div_ceil(2))
-                    || local::plane_through_seed(&patch, tolerance).is_some_and(|(_, on)| on >= 6));
-        exact += u32::from(found);
-    }
-    f64::from(exact) / f64::from(all.max(1))
-}
-
-/// A point and its neighbours.
-fn patch(points: &[Point], graph: &Neighbourhoods, index: u32) -> Vec<Point> {
-    let neighbours = graph.of(index).iter();
-    std::iter::once(index)
-        .chain(neighbours.copied())
-        .map(|i| points[i as usize])
-        .collect()
-}
-
-/// Standard deviation off the surfaces: the residual of the best simple surface through small
-/// neighbourhoods. Edges and free-form regions have larger residuals for other reasons, so a low
-/// quantile over the cloud is taken.
-fn noise(points: &[Point], graph: &Neighbourhoods) -> f64 {
-    let stride = points.len().div_ceil(SAMPLES).max(1);
-    let mut residuals: Vec<f64> = (0u32..)
-        .take(points.len())
-        .step_by(stride)
-        .filter_map(|index| local::residual(&patch(points, graph, index)))
-        .collect();
-    quantile(&mut residuals, 0.3)
 }
 
 /// The value below which the given share of the values lie; 0 for none.
