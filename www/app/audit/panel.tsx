@@ -73,7 +73,8 @@ function summary(findings: readonly FoundIn[]): string {
     const count = findings.filter((finding) => finding.severity === severity).length;
     return count > 0 ? [plural(count, severity)] : [];
   });
-  return `${plural(done.length, "model")} audited: ${counts.length > 0 ? `${counts.join(", ")}; ` : ""}nothing wrong with ${clean}`;
+  const models = `${plural(done.length, "model")} audited`;
+  return counts.length > 0 ? `${models}: ${counts.join(", ")}; nothing wrong with ${clean}` : `${models}: nothing wrong`;
 }
 
 function Running(): JSX.Element | null {

@@ -58,7 +58,7 @@ export default function FilesPanel(): JSX.Element {
     <div class="files">
       <div class="panel-tools">
         <p>
-          {format.plural(unplaced.value.length, "file")} not placed
+          {unplaced.value.length > 0 ? `${format.plural(unplaced.value.length, "file")} not placed` : "Every file belongs to a model"}
           {ignored.value > 0 && `, ${format.plural(ignored.value, "litter file")} ignored`}
         </p>
         {entry && (

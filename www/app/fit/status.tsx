@@ -22,7 +22,8 @@ const heard = computed(() => {
   return `${methods}: ${integer(progress.done)} of ${integer(progress.total)} fits done`;
 });
 
-export function FittingWork(): JSX.Element {
+/** `stoppable` is false where something else on the page stops it, with more. */
+export function FittingWork({ stoppable }: { stoppable: boolean }): JSX.Element {
   const progress = fitProgress.value;
   return (
     <>
@@ -31,14 +32,16 @@ export function FittingWork(): JSX.Element {
       </p>
       {progress && (
         <div class="work">
+          {stoppable && (
+            <button type="button" onClick={cancelFitting}>
+              Stop fitting
+            </button>
+          )}
+          <progress id="fitting" max={1} value={progress.share} />
           <label for="fitting">
             {progress.total === 1 ? heard.value : `Fitting ${integer(progress.done)} of ${integer(progress.total)}`}
             {remaining(progress)}
           </label>
-          <progress id="fitting" max={1} value={progress.share} />
-          <button type="button" onClick={cancelFitting}>
-            Stop fitting
-          </button>
         </div>
       )}
     </>

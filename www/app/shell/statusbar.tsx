@@ -5,6 +5,7 @@ import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { FittingWork } from "../fit/status";
 import { DownloadProgress } from "../public/progress";
 import { taking } from "../intake/intake";
+import { rebuilding } from "../sharing/rebuild";
 import { dismiss, notice } from "../state/notices";
 import { cancelScoring, progress, type Progress } from "../state/scoring";
 import { duration, integer } from "../ui/format";
@@ -19,7 +20,7 @@ export function StatusBar(): JSX.Element {
     <footer class="status">
       <DownloadProgress id="downloading" />
       <Work />
-      <FittingWork />
+      <FittingWork stoppable={rebuilding.value === undefined} />
       <p class="notice" role="status" data-kind={shown?.kind}>
         {shown?.text}
         {shown && (

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import type { CameraState } from "../view/types";
 
-/** Where the camera last came to rest. */
+/** Where the camera last came to rest, fit for a view of any shape. */
 export const restingCamera = signal<CameraState | undefined>(undefined);
 
 /** A camera to be taken up as soon as its model is in view. */

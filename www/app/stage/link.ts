@@ -25,7 +25,7 @@ const DARK = { background: "#14181c", ink: "#ffffff" };
 export function link(view: PointView): () => void {
   let cloud: Float32Array | undefined;
   const ends = [
-    view.on("camera", (state) => (restingCamera.value = state)),
+    view.on("camera", () => (restingCamera.value = view.portableCamera)),
     effect(() => {
       const figure = colourMode.value === "figure";
       view.setTheme(isDark() && !figure ? DARK : PAPER);
@@ -44,7 +44,7 @@ export function link(view: PointView): () => void {
       }
       const awaited = awaitedCamera.value;
       if (awaited && modelById(awaited.model)?.source.key === state.scene.key) {
-        view.setCamera(awaited.state);
+        view.setPortableCamera(awaited.state);
         awaitedCamera.value = undefined;
       }
       const shown = shownNow();

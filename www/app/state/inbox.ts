@@ -209,7 +209,7 @@ function assemble(grouping: Grouping): void {
     const extra = made.value.get(name)?.files ?? [];
     entries.push(entryOf(name, number, originOf(files), [...withContent(files), ...extra]));
   }
-  for (const [name, { origin, files }] of made.value) {
+  for (const [name, { origin, files }] of [...made.value].sort(([a], [b]) => a.localeCompare(b, "en", { numeric: true }))) {
     if (!entries.some(({ id }) => id === name)) entries.push(entryOf(name, undefined, origin, files));
   }
   batch(() => {

@@ -109,6 +109,7 @@ function Uncounted(): JSX.Element | null {
 function summary(): string {
   const all = sums.value?.all;
   if (!all) return "";
-  const unsegmented = all.unsegmented === null ? "" : `, ${format.share(all.unsegmented)} of the points in no primitive`;
+  const share = all.unsegmented;
+  const unsegmented = share === null ? "" : share === 0 ? ", every point in a primitive" : `, ${format.share(share)} of the points in no primitive`;
   return `${format.plural(all.models, "model")}, ${format.plural(all.points, "point")}, ${format.plural(all.primitives, "true primitive")}${unsegmented}`;
 }

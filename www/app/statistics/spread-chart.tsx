@@ -44,8 +44,8 @@ export function SpreadChart({ figure, models, sets }: Props): JSX.Element | null
     const spread = figure.spread(statistics);
     return spread ? [{ set: name, spread }] : [];
   });
-  // One model is spread over nothing.
-  if (values.length < 2) return null;
+  // One model is spread over nothing, and so is nothing.
+  if (values.length < 2 || values.every(({ value }) => value === 0)) return null;
   return (
     <Chart
       name={figure.id}
@@ -74,6 +74,7 @@ function draw(frame: Frame, { axis, tick }: Figure, values: readonly Value[], ro
   const several = sets.length > 1;
   // Sets of different sizes are compared by shares.
   const y = several ? "proportion-facet" : "count";
+  const ticks = several ? 4 : WHOLE;
   const bars = {
     x: "value",
     fy: "set",
@@ -92,9 +93,9 @@ function draw(frame: Frame, { axis, tick }: Figure, values: readonly Value[], ro
     x: { label: axis, nice: true, zero: true },
     y: { label: null, nice: true },
     marks: [
-      Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
+      Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks }),
       Plot.axisX({ label: axis, ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: tick }),
-      Plot.axisY({ label: null, ticks: 4, tickFormat: several ? "~%" : whole }),
+      Plot.axisY({ label: null, ticks, tickFormat: several ? "~%" : "d" }),
       Plot.rectY(values, Plot.binX({ y }, bars)),
       Plot.ruleX(rows, { x: ({ spread }: Row) => spread.median, fy: "set", stroke: frame.ink, strokeWidth: 2, strokeDasharray: "5 3" }),
       ...(several ? [Plot.text(rows, { text: "set", fy: "set", frameAnchor: "top-right", dy: -12, fill: frame.ink, fontWeight: 600 })] : []),
@@ -110,7 +111,19 @@ function thresholds(values: readonly Value[]): number[] {
   return Array.from({ length: BINS + 1 }, (_, bin) => (most * (1 + 1e-9) * bin) / BINS);
 }
 
-/** Half a model is no figure. */
-function whole(value: number): string {
-  return Number.isInteger(value) ? String(value) : "";
+/** Ticks for counts: half a model is no figure. */
+const WHOLE = {
+  floor: Math.floor,
+  offset: (value: number, step = 1) => value + step,
+  range(start: number, stop: number) {
+    const step = niceStep((stop - start) / 4);
+    const first = Math.ceil(start / step);
+    return Array.from({ length: Math.floor(stop / step) - first + 1 }, (_, at) => (first + at) * step);
+  },
+};
+
+/** The least of 1, 2, 5, 10, 20 … that is not below a width. */
+function niceStep(width: number): number {
+  const decade = 10 ** Math.max(0, Math.floor(Math.log10(width)));
+  return [1, 2, 5, 10].map((factor) => factor * decade).find((step) => step >= width) ?? decade;
 }

@@ -232,6 +232,23 @@ export class PointView {
     return this.change((view) => view.set_camera(Float32Array.from(numbers), this.animated(animated)));
   }
 
+  /**
+   * The camera as it would be in a view at least as wide as high: without the height that a narrower one needs to show
+   * as much. It shows the same in a view of another shape.
+   */
+  get portableCamera(): CameraState {
+    const { camera } = this;
+    return { ...camera, height: camera.height * this.narrowness };
+  }
+
+  setPortableCamera(state: CameraState): boolean {
+    return this.setCamera({ ...state, height: state.height / this.narrowness });
+  }
+
+  private get narrowness(): number {
+    return Math.min(1, this.aspect(this.canvas.width, this.canvas.height));
+  }
+
   setProjection(projection: CameraState["projection"]): void {
     this.change((view) => view.set_orthographic(projection === "orthographic"));
   }

@@ -49,7 +49,7 @@ export function Histogram({ values, threshold, sharp }: { values: Float32Array; 
       })}
       <line class="threshold" x1={x} x2={x} y1={0} y2={HEIGHT - FOOT} />
       {[1e-5, 1e-4, 1e-3, 1e-2, 1e-1].map((value) => (
-        <text key={value} x={Math.max(14, place(value) * WIDTH)} y={HEIGHT - 8} text-anchor="middle">
+        <text key={value} x={Math.max(24, place(value) * WIDTH)} y={HEIGHT - 8} text-anchor="middle">
           {value}
         </text>
       ))}

@@ -74,7 +74,8 @@ export function Accumulator(props: Props): JSX.Element {
         }}
       />
       <p class="hint">
-        → {columns.name}, ↑ {rows.name}. Pale is many votes, dark is none; the highest cell has {top}.
+        To the right: {columns.name}. Upwards: {rows.name}. Pale is many votes, up to {top}; dark is none.
+        {!heights.some((votes) => votes > 0) && " No point has voted yet."}
       </p>
     </div>
   );

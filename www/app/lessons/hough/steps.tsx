@@ -51,8 +51,8 @@ export const STEPS: readonly HoughStep[] = [
         <p>
           A surface of the family is a point in <b>parameter space</b>. A cylinder has five parameters, and a picture has
           two axes; so three are held at those of one face of this part: axis and radius. (The fitter itself finds them
-          first, on coarser accumulators.) The square is what remains: {slice.value?.columns.name} to the right,{" "}
-          {slice.value?.rows.name} upwards.
+          first, on coarser accumulators.) The square is what remains. To the right:{" "}
+          {slice.value?.columns.name}. Upwards: {slice.value?.rows.name}.
         </p>
         {slice.value && (
           <p>
