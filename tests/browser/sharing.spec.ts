@@ -235,7 +235,7 @@ test("names in a link are text, and its numbers cannot make the page work withou
     models: results.models.map((model) => ({ ...model, origin: part?.kind === "sample" ? { ...part, options: { spacing: 1e-300, seed: -1.5 } } : { kind: "files" } })),
   }));
   await openLink(page, endless);
-  await expect(claims(page)).toContainText("as claimed");
+  await expect(claims(page)).toContainText("not recomputed");
   await expect(page.locator(".notice")).toContainText("could not be made");
 });
 
