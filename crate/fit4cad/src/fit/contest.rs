@@ -31,7 +31,7 @@ impl Evidence<'_> {
         // Small accidents fill the tolerance; true faces are far more exact.
         let is_exact = !is_clean
             || candidate.support.len() >= LARGE
-            || candidate.error <= ACCIDENT * search.scale.tolerance;
+            || candidate.error <= search.scale.largest_error(ACCIDENT);
         if candidate.support.len() < smallest.max(redundant) || !is_exact {
             return false;
         }

@@ -31,6 +31,14 @@ const CLEAN: f64 = 0.01;
 /// points lie beyond it.
 const NOISY_SIGMAS: f64 = 2.8;
 
+/// Error of a small face, in standard deviations: that of nine points exceeds it in one of a thousand.
+const CHANCE: f64 = 1.5;
+/// Distance from a surface, in diagonals, at which it fades out: far below the rise of a fillet over a
+/// spacing, far above the error of any clean cloud.
+const FADE: f64 = 3.6e-5;
+/// And in tolerances, where there is noise.
+const FADING: f64 = 2.0;
+
 impl Scale {
     /// Measures a cloud. `tolerance` in diagonals overrides the estimate where it is positive.
     pub fn measure(cloud: &Cloud, graph: &Neighbourhoods, tolerance: f64) -> Self {
@@ -52,6 +60,27 @@ impl Scale {
                 sigmas * noise
             },
         }
+    }
+
+    /// Largest root mean square error of a face, where that of a cloud without noise is a share of the
+    /// tolerance: an accidental fit fills the tolerance, and the points of a true face have the noise.
+    pub fn largest_error(&self, share: f64) -> f64 {
+        let exact = share * self.tolerance;
+        if self.has_noise() {
+            exact.max(CHANCE * self.noise)
+        } else {
+            exact
+        }
+    }
+
+    /// Whether the points are measurably off their surfaces.
+    pub fn has_noise(&self) -> bool {
+        self.noise > FLOOR * self.diagonal
+    }
+
+    /// Farthest that points just outside a patch may lie from its surface to say that it fades out.
+    pub fn fade(&self) -> f64 {
+        (FADE * self.diagonal).max(FADING * self.tolerance)
     }
 
     /// Whether the points are so exact that a handful of them on one surface is no accident.

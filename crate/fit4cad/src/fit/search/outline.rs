@@ -90,7 +90,6 @@ impl Search<'_> {
     /// as they do around an accidental fit, which fades out, and not around a true face, which
     /// ends sharply even where it runs on tangentially into a fillet.
     pub fn has_fuzzy_border(&mut self, candidate: &Candidate) -> bool {
-        const NEAR: f64 = 12.0;
         // So many exact points on one surface are no accident.
         const BEYOND_DOUBT: usize = 400;
         const GOOD: f64 = 0.2;
@@ -98,11 +97,11 @@ impl Search<'_> {
         // it within the tolerance.
         let is_exact = candidate.error < EXACT * self.scale.tolerance
             || candidate.support.len() >= BEYOND_DOUBT
-                && candidate.error < GOOD * self.scale.tolerance;
+                && candidate.error < self.scale.largest_error(GOOD);
         if is_exact || !self.scale.is_clean() {
             return false;
         }
-        let limit = NEAR * self.scale.tolerance;
+        let limit = self.scale.fade();
         self.marks.clear();
         for &index in &candidate.support {
             self.marks.insert(index);

@@ -346,7 +346,12 @@ fn exact(search: &Search<'_>) -> f64 {
     let mut errors: Vec<f64> = search.accepted().iter().map(|face| face.error).collect();
     errors.sort_unstable_by(f64::total_cmp);
     let median = errors.get(errors.len() / 2).copied().unwrap_or(0.0);
-    (EXACT * search.scale.tolerance).max(AS_EXACT * median)
+    let exact = search.scale.largest_error(EXACT);
+    if search.scale.has_noise() {
+        exact
+    } else {
+        exact.max(AS_EXACT * median)
+    }
 }
 
 #[cfg(test)]
