@@ -30,7 +30,7 @@ export async function fit(args) {
   if (values.method === undefined) {
     throw new UsageError("choose a method: --method ht or --method pg");
   }
-  const method = choice("method", values.method, METHODS);
+  const method = choice("method", values.method.toLowerCase(), METHODS);
   const seed = number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true });
   const parameters = givenParameters(options, method, values);
   if (positionals.length === 0) {

@@ -20,8 +20,12 @@ const COMMANDS = {
 export async function main(args) {
   endOnClosedPipe();
   const [name, ...rest] = args;
-  if (name === undefined || name === "help" || name === "--help" || name === "-h") {
-    return help(name === undefined ? USAGE : 0, rest[0]);
+  if (name === undefined) {
+    process.stderr.write(await HELP.fit4cad());
+    return USAGE;
+  }
+  if (name === "help" || name === "--help" || name === "-h") {
+    return rest.length === 0 ? help("fit4cad") : (unknown(rest[0]) ?? help(rest[0]));
   }
   if (name === "--version" || name === "-V") {
     const { loadEngine } = await import("./engine.mjs");
@@ -30,24 +34,24 @@ export async function main(args) {
       return 0;
     });
   }
-  if (!Object.hasOwn(COMMANDS, name)) {
-    warn(`fit4cad: there is no command "${name}". Commands: ${Object.keys(COMMANDS).join(", ")}; try fit4cad --help.`);
-    return USAGE;
-  }
   if (rest.includes("--help") || rest.includes("-h")) {
-    return help(0, name);
+    return unknown(name) ?? help(name);
   }
-  return attempt(name, async () => (await COMMANDS[name]())(rest));
+  return unknown(name) ?? attempt(name, async () => (await COMMANDS[name]())(rest));
 }
 
-async function help(code, topic) {
-  const text = await (HELP[topic] ?? HELP.fit4cad)();
-  if (code === 0) {
-    await print(text);
-  } else {
-    process.stderr.write(text);
+/** Says that there is no such command, and gives the exit code; nothing where there is. */
+function unknown(name) {
+  if (Object.hasOwn(COMMANDS, name)) {
+    return undefined;
   }
-  return code;
+  warn(`fit4cad: there is no command "${name}". Commands: ${Object.keys(COMMANDS).join(", ")}; try fit4cad --help.`);
+  return USAGE;
+}
+
+async function help(topic) {
+  await print(await HELP[topic]());
+  return 0;
 }
 
 async function attempt(name, body) {

@@ -19,6 +19,9 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
   const calls = [
     [[], /score/],
     [["scroe"], /no command "scroe"/],
+    [["help", "scroe"], /no command "scroe"/],
+    [["help", "constructor"], /no command "constructor"/],
+    [["toString", "--help"], /no command "toString"/],
     [["score"], /at least one file/],
     [["score", ".", "--format", "xml"], /expected table, json, csv, latex, markdown/],
     [["score", ".", "--protocol", "mine"], /expected definition, published/],

@@ -26,10 +26,11 @@ for (const method of ["ht", "pg"]) {
     const root = folder(t, {});
     const [demo, found] = [join(root, "demo"), join(root, "found")];
     fit4cad("generate", "flange", "--spacing", "0.012", "--out", demo);
-    const { code, out, err } = fit4cad("fit", "--method", method, "--out", found, demo);
+    // As it is written everywhere else.
+    const NAME = method.toUpperCase();
+    const { code, out, err } = fit4cad("fit", "--method", NAME, "--out", found, demo);
     assert.deepEqual([code, err], [0, ""]);
     assert.match(out, /^model +points +seconds +primitives/);
-    const NAME = method.toUpperCase();
     for (const role of ["primitives", "parametric", "implicit"]) {
       assert.ok(existsSync(join(found, `pointCloud_${role}_${NAME}`, `flange_${role}.txt`)));
     }
