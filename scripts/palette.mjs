@@ -7,7 +7,7 @@
 // Oliveira and Fernandes 2009, severity 1). Greys, near-blacks and near-whites are left out: grey
 // means unsegmented, black misclassified, and every colour must show on a light and a dark page.
 
-import { pathToFileURL } from "node:url";
+import { isMain } from "./lib/run.mjs";
 
 const VISION = {
   normal: [1, 0, 0, 0, 1, 0, 0, 0, 1],
@@ -114,7 +114,7 @@ function sequential(steps) {
   });
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href) {
+if (isMain(import.meta.url)) {
   for (const { rgb, gap } of segments()) console.log(hex(rgb), gap.toFixed(3));
   console.log(sequential(17).map(hex).join(" "));
 }

@@ -1,6 +1,7 @@
 // Running commands, and saying what is being done.
 
 import { spawn, spawnSync } from "node:child_process";
+import { pathToFileURL } from "node:url";
 import { ROOT } from "./paths.mjs";
 
 /** A failure the reader can act on; shown without a stack. */
@@ -69,5 +70,5 @@ export async function main(body) {
 
 /** Whether the module of this address is the script that Node was started with. */
 export function isMain(url) {
-  return process.argv[1] !== undefined && url === new URL(`file://${process.argv[1]}`).href;
+  return process.argv[1] !== undefined && url === pathToFileURL(process.argv[1]).href;
 }
