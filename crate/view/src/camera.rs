@@ -11,7 +11,7 @@ pub const FIELD_OF_VIEW: f32 = 0.52;
 /// Share of the viewport that a framed box leaves free, so that nothing touches the border.
 const MARGIN: f32 = 1.08;
 
-/// Visible heights outside this range (relative to nothing: cloud units) would leave f32 no digits.
+/// Visible heights outside this range, in cloud units, would overflow or vanish in f32 when squared.
 const HEIGHT_RANGE: (f32, f32) = (1e-18, 1e18);
 
 /// How depth is shown.

@@ -111,6 +111,9 @@ pub struct EyeDome {
 
 impl EyeDome {
     /// Compiles it.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver refuses a shader or gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         Ok(Self {
             program: Program::new(gl, "", VERTEX, FRAGMENT, &UNIFORMS)?,

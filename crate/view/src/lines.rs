@@ -88,6 +88,9 @@ pub struct LineBuffer {
 
 impl LineBuffer {
     /// Without lines.
+    ///
+    /// # Errors
+    /// [`GlError::Lost`] if the driver gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let buffer = Buffer::vertices(gl)?;
         let array = VertexArray::new(gl)?;
@@ -129,6 +132,9 @@ pub struct Lines {
 
 impl Lines {
     /// Compiles the program.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver refuses a shader or gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let program = Program::new(gl, "", VERTEX, FRAGMENT, &UNIFORMS)?;
         Ok(Self { program })

@@ -17,6 +17,9 @@ pub struct Palette {
 
 impl Palette {
     /// Empty textures.
+    ///
+    /// # Errors
+    /// [`GlError::Lost`] if the driver gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         Ok(Self {
             table: Texture::new(gl, Gl::NEAREST)?,

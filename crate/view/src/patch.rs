@@ -181,6 +181,9 @@ pub struct Patches {
 
 impl Patches {
     /// Without patches.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver refuses a shader or gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let (vertices, indices) = (Buffer::vertices(gl)?, Buffer::indices(gl)?);
         let array = VertexArray::new(gl)?;

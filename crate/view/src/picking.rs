@@ -42,6 +42,9 @@ pub struct Picker {
 
 impl Picker {
     /// A picker with nothing to do.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver gives no object or cannot draw to it.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         Ok(Self {
             target: ReadTarget::new(gl, SIDE, SIDE)?,
@@ -52,6 +55,9 @@ impl Picker {
 
     /// Starts to look for the point nearest the pixel (x, y) of the canvas, at most `reach` pixels
     /// ([`REACH`] at most) away. The answer comes by [`Picker::poll`]; an earlier pick is dropped.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver cannot read back, or gives no object.
     pub fn start(
         &mut self,
         gl: &Gl,
@@ -114,6 +120,9 @@ impl Picker {
 
 /// The places, ascending, of the points of which a pixel can be seen in a region of the canvas.
 /// Waits for the graphics card.
+///
+/// # Errors
+/// [`GlError`] if the driver cannot draw to a target of that size, or read it back.
 pub fn visible_in(
     gl: &Gl,
     points: &Points,

@@ -209,6 +209,9 @@ impl SideBuffers {
 
 impl Points {
     /// Programs and empty buffers.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver refuses a shader or gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let program = |defines: &str| {
             let defines = format!("{defines}#define MAX_LABEL {MAX_LABEL}u\n");

@@ -45,6 +45,9 @@ struct Shot<'a> {
 
 impl Renderer {
     /// Compiles the programs.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver refuses a shader or gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         gl.enable(Gl::DEPTH_TEST);
         gl.depth_func(Gl::LEQUAL);
@@ -70,6 +73,9 @@ impl Renderer {
     }
 
     /// Draws onto the canvas, with the first `count` points.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver gives no object or cannot draw to it.
     pub fn draw(
         &mut self,
         gl: &Gl,
@@ -108,6 +114,10 @@ impl Renderer {
     /// Draws a picture to be saved, in tiles where it is large, and returns it as r g b a with
     /// straight alpha, uppermost row first. Every pixel is the mean of four that are drawn, unless
     /// that would be more than the driver can do.
+    ///
+    /// # Errors
+    /// [`GlError::TooLarge`] where the driver cannot draw so large a picture; else as for drawing and
+    /// reading back.
     pub fn picture(
         &mut self,
         gl: &Gl,

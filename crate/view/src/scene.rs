@@ -113,11 +113,29 @@ impl Scene {
 
     /// The colours of a side, to change them.
     pub fn colouring_mut(&mut self, side: Side) -> &mut Colouring {
+        self.points_and_colours(side).1
+    }
+
+    /// Sets the label of each point on a side, in the order the points were given.
+    pub fn set_labels(&mut self, side: Side, labels: &[u32]) {
+        let (cloud, colouring) = self.points_and_colours(side);
+        colouring.set_labels(cloud, labels);
+    }
+
+    /// Sets the scalar of each point on a side, in the order the points were given; NaN where a
+    /// point has none.
+    pub fn set_scalars(&mut self, side: Side, scalars: &[f32]) {
+        let (cloud, colouring) = self.points_and_colours(side);
+        colouring.set_scalars(cloud, scalars);
+    }
+
+    fn points_and_colours(&mut self, side: Side) -> (&Cloud, &mut Colouring) {
         let [first, second] = &mut self.colourings;
-        match side {
+        let colouring = match side {
             Side::First => first,
             Side::Second => second,
-        }
+        };
+        (self.cloud.get(), colouring)
     }
 
     /// The panes of a picture.
@@ -209,10 +227,7 @@ mod tests {
     #[test]
     fn a_label_has_bounds_of_its_own() {
         let mut scene = four_points();
-        let Scene {
-            cloud, colourings, ..
-        } = &mut scene;
-        colourings[1].set_labels(cloud.get(), &[0, 5, 5, 1]);
+        scene.set_labels(Side::Second, &[0, 5, 5, 1]);
         let bounds = scene.bounds_of(Side::Second, &[5]);
         assert_eq!(bounds, Bounds::new(Vec3::ZERO, Vec3::new(1.0, 2.0, 0.0)));
         assert!(scene.bounds_of(Side::Second, &[9]).is_empty());

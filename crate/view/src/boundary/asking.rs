@@ -37,6 +37,9 @@ impl View {
 
     /// Starts to look for the point nearest (x, y), at most `reach` device pixels away (12 at
     /// most). Returns whether there is a side to look at.
+    ///
+    /// # Errors
+    /// If the graphics context is lost or out of memory.
     pub fn start_pick(&mut self, x: f32, y: f32, reach: i32) -> Result<bool, JsValue> {
         let panes = self.scene.panes(&self.frame);
         let (Some(pane), Some(renderer)) = (panes.at(x, y), &mut self.renderer) else {
@@ -68,6 +71,9 @@ impl View {
     }
 
     /// Indices, ascending, of the points of a side inside a circle.
+    ///
+    /// # Errors
+    /// If the graphics context is lost or out of memory.
     pub fn points_in_circle(
         &mut self,
         side: usize,
@@ -85,6 +91,9 @@ impl View {
     }
 
     /// Indices, ascending, of the points of a side inside a polygon (x y per corner).
+    ///
+    /// # Errors
+    /// If the graphics context is lost or out of memory.
     pub fn points_in_polygon(
         &mut self,
         side: usize,

@@ -7,7 +7,7 @@ use super::View;
 use crate::colouring::ColourBy;
 use crate::layout::{Layout, Side};
 use crate::patch::SurfacePatch;
-use crate::scene::{PointSize, Scene};
+use crate::scene::PointSize;
 
 #[wasm_bindgen]
 impl View {
@@ -26,12 +26,7 @@ impl View {
 
     /// Sets a label per point on a side.
     pub fn set_labels(&mut self, side: usize, labels: &[u32]) {
-        let Scene {
-            cloud, colourings, ..
-        } = &mut self.scene;
-        if let Some(colouring) = colourings.get_mut(side) {
-            colouring.set_labels(cloud.get(), labels);
-        }
+        self.scene.set_labels(Side::from_index(side), labels);
     }
 
     /// Sets the colours of a side's labels, r g b per label.
@@ -50,12 +45,7 @@ impl View {
 
     /// Sets a scalar per point on a side; NaN where a point has none.
     pub fn set_scalars(&mut self, side: usize, scalars: &[f32]) {
-        let Scene {
-            cloud, colourings, ..
-        } = &mut self.scene;
-        if let Some(colouring) = colourings.get_mut(side) {
-            colouring.set_scalars(cloud.get(), scalars);
-        }
+        self.scene.set_scalars(Side::from_index(side), scalars);
     }
 
     /// Sets the colour map of a side's scalars, r g b per step.

@@ -37,7 +37,10 @@ pub struct View {
 
 #[wasm_bindgen]
 impl View {
-    /// A view that draws with a context. Fails where the driver refuses a shader.
+    /// A view that draws with a context.
+    ///
+    /// # Errors
+    /// If the driver refuses a shader, or the context is lost.
     #[wasm_bindgen(constructor)]
     pub fn new(gl: WebGl2RenderingContext) -> Result<View, JsValue> {
         let renderer = Renderer::new(&gl)?;
@@ -62,6 +65,9 @@ impl View {
     }
 
     /// Makes everything on the graphics card again: its context is back.
+    ///
+    /// # Errors
+    /// If the driver refuses a shader, or the context is lost again.
     pub fn restore(&mut self) -> Result<(), JsValue> {
         self.renderer = Some(Renderer::new(&self.gl)?);
         Ok(())
@@ -78,6 +84,9 @@ impl View {
 
     /// Draws a frame at a time in milliseconds that was asked for so many milliseconds ago. Returns
     /// whether another one is needed.
+    ///
+    /// # Errors
+    /// If the graphics context is lost or out of memory.
     pub fn draw(&mut self, now: f64, waited: f64) -> Result<bool, JsValue> {
         if let Some(flight) = &mut self.flight {
             let (camera, over) = flight.at(now);
@@ -99,6 +108,9 @@ impl View {
 
     /// A picture of the scene in the given size: r g b a, uppermost row first. `pixel_ratio` says
     /// how large points and outlines are drawn in it, `opacity` 0 leaves the background clear.
+    ///
+    /// # Errors
+    /// If the picture is larger than the driver can draw, or the context is lost or out of memory.
     pub fn picture(
         &mut self,
         width: i32,

@@ -1,6 +1,6 @@
 //! The camera: set, asked for, flown and moved by hand.
 
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
 use super::View;
@@ -49,14 +49,6 @@ impl View {
     pub fn fit_labels(&mut self, side: usize, labels: &[u32], animated: bool) {
         let bounds = self.scene.bounds_of(Side::from_index(side), labels);
         self.frame_bounds(&bounds, animated);
-    }
-
-    /// Frames a box.
-    pub fn fit_box(&mut self, min: &[f32], max: &[f32], animated: bool) {
-        if let (&[a, b, c], &[d, e, f]) = (min, max) {
-            let bounds = Bounds::new(Vec3::new(a, b, c), Vec3::new(d, e, f));
-            self.frame_bounds(&bounds, animated);
-        }
     }
 
     /// Looks from a standpoint: 0 front, 1 back, 2 left, 3 right, 4 top, 5 bottom, 6 isometric.

@@ -13,11 +13,17 @@ pub struct Buffer {
 
 impl Buffer {
     /// An empty buffer of vertex attributes.
+    ///
+    /// # Errors
+    /// [`GlError::Lost`] if the driver gives no object.
     pub fn vertices(gl: &Gl) -> Result<Self, GlError> {
         Self::new(gl, Gl::ARRAY_BUFFER)
     }
 
     /// An empty buffer of indices.
+    ///
+    /// # Errors
+    /// [`GlError::Lost`] if the driver gives no object.
     pub fn indices(gl: &Gl) -> Result<Self, GlError> {
         Self::new(gl, Gl::ELEMENT_ARRAY_BUFFER)
     }
@@ -56,6 +62,9 @@ pub struct VertexArray {
 
 impl VertexArray {
     /// One with nothing attached.
+    ///
+    /// # Errors
+    /// [`GlError::Lost`] if the driver gives no object.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let array = gl.create_vertex_array().ok_or(GlError::Lost)?;
         Ok(Self { array })

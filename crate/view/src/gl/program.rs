@@ -15,6 +15,9 @@ pub struct Program {
 impl Program {
     /// Compiles and links. The sources are without their `#version` line; `defines` go before both.
     /// The names of all uniforms are given once, so that drawing never asks the driver for them.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver refuses a shader or gives no object.
     pub fn new(
         gl: &Gl,
         defines: &str,

@@ -4,14 +4,17 @@ use web_sys::{WebGlFramebuffer, WebGlRenderbuffer, WebGlTexture};
 
 use super::{Gl, GlError};
 
-/// A texture without filtering, read texel by texel.
+/// A texture of bytes or depths, clamped at its edges.
 #[derive(Debug)]
 pub struct Texture {
     texture: WebGlTexture,
 }
 
 impl Texture {
-    /// An empty texture.
+    /// An empty texture; between its texels the filter (`NEAREST` or `LINEAR`) decides.
+    ///
+    /// # Errors
+    /// [`GlError::Lost`] if the driver gives no object.
     pub fn new(gl: &Gl, filter: u32) -> Result<Self, GlError> {
         let texture = gl.create_texture().ok_or(GlError::Lost)?;
         gl.bind_texture(Gl::TEXTURE_2D, Some(&texture));
@@ -98,6 +101,9 @@ pub struct SceneTarget {
 
 impl SceneTarget {
     /// A target of the given size.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver gives no object or cannot draw to it.
     pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
         let colour = Texture::storage(gl, Gl::RGBA8, width, height)?;
         let depth = Texture::storage(gl, Gl::DEPTH_COMPONENT24, width, height)?;
@@ -155,6 +161,9 @@ pub struct ReadTarget {
 
 impl ReadTarget {
     /// A target of the given size.
+    ///
+    /// # Errors
+    /// [`GlError`] if the driver gives no object or cannot draw to it.
     pub fn new(gl: &Gl, width: i32, height: i32) -> Result<Self, GlError> {
         let framebuffer = framebuffer(gl)?;
         let size = (width, height);
@@ -171,6 +180,9 @@ impl ReadTarget {
     }
 
     /// Reads what was drawn, r g b a, lowest row first. Waits for the graphics card.
+    ///
+    /// # Errors
+    /// [`GlError::Read`] if the driver does not hand them out.
     pub fn read(&self, gl: &Gl, into: &mut [u8]) -> Result<(), GlError> {
         self.bind(gl);
         let ((width, height), format, kind) = (self.size, Gl::RGBA, Gl::UNSIGNED_BYTE);
