@@ -266,7 +266,10 @@ impl Neighbourhoods {
         self.count
     }
 
-    /// The neighbours of a point, nearest first.
+    /// The neighbours of a point of the cloud, nearest first.
+    ///
+    /// # Panics
+    /// If the cloud has no such point.
     pub fn of(&self, index: u32) -> &[u32] {
         let start = index as usize * self.count;
         &self.indices[start..start + self.count]

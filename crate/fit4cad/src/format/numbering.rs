@@ -1,6 +1,7 @@
 //! Point numbers, as files use them, and indices into a cloud.
 
-/// From the point numbers of a file (1-based rows of `PCi.txt`) to indices into its [`Cloud`](crate::cloud::Cloud).
+/// From the point numbers of a file (1-based rows of `PCi.txt`) to indices into its
+/// [`Cloud`](crate::cloud::Cloud).
 ///
 /// A row that cannot be read keeps its number and has no index, so that one broken row does not
 /// shift every point after it.

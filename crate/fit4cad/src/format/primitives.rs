@@ -211,11 +211,9 @@ impl ListReader<'_> {
                 .saturating_add(u64::from(digit - b'0'));
             cursor.at += 1;
         }
-        if cursor.peek().is_none() {
-            // Cut short, it may be any other number.
-            return None;
-        }
-        if cursor.peek().is_some_and(|next| !is_separator(next)) {
+        // At the end of the file it may be any number, cut short.
+        let next = cursor.peek()?;
+        if !is_separator(next) {
             // Programs that print doubles write large indices as 1e+05 or 7.0.
             match number::read(bytes, at) {
                 Some((value, end))

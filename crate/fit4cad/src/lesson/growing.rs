@@ -171,6 +171,9 @@ pub fn motions(slippage: &Slippage, points: &[Point]) -> Vec<Motion> {
 }
 
 /// Splits a region into surfaces by RANSAC, as the fitter does with what one surface cannot explain.
+///
+/// # Errors
+/// None in practice: nothing here cancels the search.
 pub fn split(cloud: &Cloud, region: &[u32], seed: u64) -> Result<Vec<Candidate>, Cancelled> {
     let mut search = Search::new(cloud, &Parameters::default(), seed);
     let count = cloud.len();

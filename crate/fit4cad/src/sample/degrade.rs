@@ -17,6 +17,8 @@ pub struct Degradation {
 }
 
 impl Degradation {
+    /// Whether every value is in its range.
+    ///
     /// # Errors
     /// [`SampleError::OutOfRange`] names the first value that is not a number in its range.
     pub fn check(&self) -> Result<(), SampleError> {

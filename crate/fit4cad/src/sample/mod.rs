@@ -1,10 +1,11 @@
 //! CAD-like parts with known truth, made by a deterministic generator.
 //!
 //! [`generate`] makes one of the [`parts`] of the catalogue, [`build`] any [`blocks::Part`], which
-//! [`compose`] makes of [`Block`]s; [`degraded`] and [`without`] make a model worse. The points are spread as a surface mesher spreads vertices, which is what the benchmark's clouds
-//! look like: corners, then edges, then faces, all at about one distance; a point on an edge is
-//! listed by every primitive that meets there. A primitive is one connected patch of one surface.
-//! Free-form faces are sampled but belong to no primitive.
+//! [`compose`] makes of [`Block`]s; [`degraded`] and [`without`] make a model worse. The points are
+//! spread as a surface mesher spreads vertices, which is what the benchmark's clouds look like:
+//! corners, then edges, then faces, all at about one distance; a point on an edge is listed by every
+//! primitive that meets there. A primitive is one connected patch of one surface. Free-form faces
+//! are sampled but belong to no primitive.
 //!
 //! One part, options and seed give one model. Sines, arc tangents and logarithms come from `libm`,
 //! not from the platform, so that it is the same model natively and under WebAssembly.
@@ -66,6 +67,8 @@ impl Default for Options {
 }
 
 impl Options {
+    /// Whether every option is in its range.
+    ///
     /// # Errors
     /// [`SampleError::OutOfRange`] names the first option that is not a number in its range.
     pub fn check(&self) -> Result<(), SampleError> {
@@ -172,7 +175,7 @@ pub fn generate(part: &str, options: &Options) -> Result<Model, SampleError> {
     build(part, &catalogue::part(part)?, options)
 }
 
-/// Makes a model of any part.
+/// Makes a model of any part. Costs what [`generate`] does.
 ///
 /// # Errors
 /// [`SampleError`] if the part describes no object, an option is out of its range, or there would

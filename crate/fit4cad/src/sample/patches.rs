@@ -15,7 +15,8 @@ pub struct Patch {
 }
 
 /// Splits the points of each surface into connected patches: two neighbours belong together if the
-/// face goes on half-way between them, or a tenth of the spacing aside, for edges are curved. Free-form faces make none. O(n).
+/// face goes on half-way between them, or a tenth of the spacing aside, for edges are curved.
+/// Free-form faces make none. O(n).
 pub fn patches(boundary: &Boundary, mesh: &Mesh, spacing: f64) -> Vec<Patch> {
     let mut patches = Vec::new();
     for (carrier, members) in mesh.members.iter().enumerate() {
