@@ -68,9 +68,42 @@ pub(super) fn judge(
     findings: &mut Vec<Finding>,
 ) {
     let verdict = Verdict::of(measured);
-    let mut add = |check, severity, value: f64, limit, message, hint| {
-        findings.push(Finding {
-            primitive: Some(primitive.number),
+    let mut judge = Judge {
+        cloud,
+        truth,
+        primitive,
+        measured,
+        verdict: &verdict,
+        findings,
+    };
+    judge.family();
+    judge.distances();
+    judge.stray_points();
+    judge.agreement();
+    judge.first_order();
+}
+
+/// Adds the findings about one primitive, check by check.
+struct Judge<'a> {
+    cloud: &'a Cloud,
+    truth: &'a Segmentation,
+    primitive: &'a Primitive,
+    measured: &'a Measured,
+    verdict: &'a Verdict,
+    findings: &'a mut Vec<Finding>,
+}
+
+impl Judge<'_> {
+    fn add(
+        &mut self,
+        check: Check,
+        severity: Severity,
+        (value, limit): (f64, f64),
+        message: String,
+        hint: String,
+    ) {
+        self.findings.push(Finding {
+            primitive: Some(self.primitive.number),
             check,
             severity,
             value: Some(value),
@@ -78,123 +111,124 @@ pub(super) fn judge(
             message,
             hint,
         });
-    };
-    for form in &measured.forms {
-        if form.misfit > Conversion::TOLERANCE {
-            let (message, hint) = no_member(form, primitive, &verdict);
-            let severity = if form.defect.is_some() {
-                Severity::Error
-            } else {
-                Severity::Warning
-            };
-            add(
-                Check::Family,
-                severity,
-                form.misfit,
-                Conversion::TOLERANCE,
-                message,
-                hint,
-            );
-        }
     }
-    let mut too_far = |check, subject: &str, distances: FitAccuracy, hint| {
+
+    /// Adds a distance that is above the limit.
+    fn add_distance(&mut self, check: Check, distance: f64, message: String, hint: String) {
+        let severity = severity_of(distance);
+        self.add(check, severity, (distance, DISTANCE_LIMIT), message, hint);
+    }
+
+    fn add_off(&mut self, check: Check, subject: &str, distances: FitAccuracy, hint: String) {
         let message = format!(
             "{subject} {} of the primitive's diagonal off the points at most, {} on average",
             percent(distances.d_haus),
             percent(distances.mfe)
         );
-        let severity = severity_of(distances.d_haus);
-        let value = distances.d_haus;
-        add(check, severity, value, DISTANCE_LIMIT, message, hint);
-    };
-    let distances = |form: &MeasuredForm| without(&form.distances, &verdict.stray);
-    match (verdict.off.as_slice(), verdict.agree) {
-        ([Form::Parametric, Form::Implicit], true) => {
-            let largest = measured.forms.iter().filter_map(distances);
-            if let Some(distances) = largest.max_by(|a, b| a.d_haus.total_cmp(&b.d_haus)) {
+        self.add_distance(check, distances.d_haus, message, hint);
+    }
+
+    fn without_stray(&self, distances: &[f64]) -> Option<FitAccuracy> {
+        without(distances, &self.verdict.stray)
+    }
+
+    fn family(&mut self) {
+        for form in &self.measured.forms {
+            if form.misfit <= Conversion::TOLERANCE {
+                continue;
+            }
+            let (message, hint) = no_member(form, self.primitive, self.verdict);
+            let severity = if form.defect.is_some() {
+                Severity::Error
+            } else {
+                Severity::Warning
+            };
+            let value = (form.misfit, Conversion::TOLERANCE);
+            self.add(Check::Family, severity, value, message, hint);
+        }
+    }
+
+    fn distances(&mut self) {
+        let (cloud, truth, primitive) = (self.cloud, self.truth, self.primitive);
+        let (measured, verdict) = (self.measured, self.verdict);
+        if verdict.off.len() == Form::ALL.len() && verdict.agree {
+            let forms = measured.forms.iter();
+            let distances = forms.filter_map(|form| self.without_stray(&form.distances));
+            let largest = distances.max_by(|a, b| a.d_haus.total_cmp(&b.d_haus));
+            if let Some(distances) = largest {
                 let hint = hint::other_primitive(cloud, truth, primitive, measured);
                 let subject = "The surface, on which both forms agree, is";
-                too_far(Check::SurfaceDistance, subject, distances, hint);
+                self.add_off(Check::SurfaceDistance, subject, distances, hint);
             }
+            return;
         }
-        _ => {
-            for form in measured
-                .forms
-                .iter()
-                .filter(|form| verdict.off.contains(&form.form))
-            {
-                let (check, subject) = match form.form {
-                    Form::Parametric => (Check::ParametricDistance, "The parametric form is"),
-                    Form::Implicit => (Check::ImplicitDistance, "The implicit form is"),
-                };
-                if let Some(distances) = distances(form) {
-                    let hint = hint::wrong_form(cloud, truth, primitive, measured, form, &verdict);
-                    too_far(check, subject, distances, hint);
-                }
+        let is_off = |form: &&MeasuredForm| verdict.off.contains(&form.form);
+        for form in measured.forms.iter().filter(is_off) {
+            let (check, subject) = match form.form {
+                Form::Parametric => (Check::ParametricDistance, "The parametric form is"),
+                Form::Implicit => (Check::ImplicitDistance, "The implicit form is"),
+            };
+            if let Some(distances) = self.without_stray(&form.distances) {
+                let hint = hint::wrong_form(cloud, truth, primitive, measured, form, verdict);
+                self.add_off(check, subject, distances, hint);
             }
         }
     }
-    if let Some(message) = stray_points(primitive, &verdict.stray) {
-        let of_strays = |form: &MeasuredForm| {
-            let strays = verdict.stray.iter();
-            accuracy(strays.filter_map(|&place| form.distances.get(place).copied()))
+
+    fn stray_points(&mut self) {
+        let stray = &self.verdict.stray;
+        let Some(named) = named_points(self.primitive, stray) else {
+            return;
         };
-        let nearest = measured.forms.iter().filter_map(of_strays);
-        let nearest = nearest.map(|accuracy| accuracy.d_haus);
-        let value = nearest.min_by(f64::total_cmp).unwrap_or(f64::NAN);
+        let of_strays = |form: &MeasuredForm| {
+            let distances = stray.iter().filter_map(|&place| form.distances.get(place));
+            accuracy(distances.copied()).map(|accuracy| accuracy.d_haus)
+        };
+        let nearest = self.measured.forms.iter().filter_map(of_strays);
+        let nearest = nearest.min_by(f64::total_cmp).unwrap_or(f64::NAN);
         let message = format!(
-            "{message} {} of the primitive's diagonal off its surface",
-            percent(value)
+            "{named} {} of the primitive's diagonal off its surface",
+            percent(nearest)
         );
-        let them = if verdict.stray.len() == 1 {
+        let them = if stray.len() == 1 {
             "this one"
         } else {
             "these"
         };
         let hint = format!("All its other points lie on the surface; take {them} out of its list");
-        add(
-            Check::StrayPoint,
-            severity_of(value),
-            value,
-            DISTANCE_LIMIT,
-            message,
-            hint,
-        );
+        self.add_distance(Check::StrayPoint, nearest, message, hint);
     }
-    let apart = without(&measured.apart, &verdict.stray);
-    if let (Some(apart), true, false) = (apart, verdict.off.is_empty(), verdict.agree) {
+
+    fn agreement(&mut self) {
+        if !self.verdict.off.is_empty() || self.verdict.agree {
+            return;
+        }
+        let Some(apart) = self.without_stray(&self.measured.apart) else {
+            return;
+        };
         let message = format!(
             "The two forms are {} of the primitive's diagonal apart, though neither is off the points",
             percent(apart.d_haus)
         );
-        let severity = severity_of(apart.d_haus);
-        add(
-            Check::Agreement,
-            severity,
-            apart.d_haus,
-            DISTANCE_LIMIT,
-            message,
-            String::new(),
-        );
+        self.add_distance(Check::Agreement, apart.d_haus, message, String::new());
     }
-    let first_order = without(&measured.first_order, &verdict.stray);
-    if let (Some(first_order), true) = (first_order, verdict.first_order) {
+
+    fn first_order(&mut self) {
+        let distances = self.without_stray(&self.measured.first_order);
+        let Some(distances) = distances.filter(|_| self.verdict.first_order) else {
+            return;
+        };
         let message = format!(
             "The first-order distance |f| / |∇f| to the implicit form is {} of the primitive's \
              diagonal on average, though the surface fits",
-            percent(first_order.mfe)
+            percent(distances.mfe)
         );
         let hint = "A point lies where the gradient vanishes (an apex), and there the few digits \
                     of the coefficients show; give more, and measure Euclidean distances"
             .to_owned();
-        add(
-            Check::FirstOrderDistance,
-            Severity::Note,
-            first_order.mfe,
-            DISTANCE_LIMIT,
-            message,
-            hint,
-        );
+        let value = (distances.mfe, DISTANCE_LIMIT);
+        let check = Check::FirstOrderDistance;
+        self.add(check, Severity::Note, value, message, hint);
     }
 }
 
@@ -227,8 +261,8 @@ fn no_member(form: &MeasuredForm, primitive: &Primitive, verdict: &Verdict) -> (
     (format!("The {name} form is unusable: {defect}"), hint)
 }
 
-/// Names the stray points by their numbers in the file, from 1.
-fn stray_points(primitive: &Primitive, stray: &[usize]) -> Option<String> {
+/// Names stray points by their numbers in the file, from 1.
+fn named_points(primitive: &Primitive, stray: &[usize]) -> Option<String> {
     let numbers = stray
         .iter()
         .filter_map(|&place| primitive.points.get(place));
