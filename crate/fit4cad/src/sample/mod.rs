@@ -21,15 +21,17 @@ mod imperfect;
 mod mesh;
 mod patches;
 mod random;
+mod shapes;
 
 use blocks::Part;
 use boundary::Boundary;
 pub use catalogue::{PartInfo, parts};
-pub use compose::{Block, MAX_BLOCKS, SHAPES, Shape, ShapeInfo, compose};
+pub use compose::{Block, MAX_BLOCKS, compose};
 pub use cut::{Lasso, MAX_CORNERS, Region, without};
 pub use degrade::Degradation;
 use degrade::Worn;
 pub use imperfect::imperfect;
+pub use shapes::{SHAPES, Shape, ShapeInfo};
 
 use crate::cloud::Cloud;
 use crate::model::{Model, Primitive, Segmentation};
@@ -235,4 +237,19 @@ fn truth_on(worn: &Worn, truth: &Segmentation) -> Segmentation {
             .filter(|primitive| !primitive.points.is_empty())
             .collect(),
     }
+}
+
+/// The largest distance of a point from the surface of a primitive that lists it, as a share of the
+/// cloud's diagonal; `None` where no point is listed.
+#[cfg(test)]
+fn farthest_off(model: &Model) -> Option<f64> {
+    let primitives = model.truth.iter().flat_map(|truth| &truth.primitives);
+    let distances = primitives.flat_map(|primitive| {
+        let points = primitive.points.iter();
+        let points = points.map(|&index| &model.cloud.points()[index as usize]);
+        points.map(|point| primitive.surface.map_or(f64::NAN, |it| it.distance(point)))
+    });
+    // Unlike `f64::max`, this keeps NaN, which is at most nothing.
+    let farthest = distances.max_by(f64::total_cmp)?;
+    Some(farthest / model.cloud.bounds().diagonal())
 }
