@@ -1,48 +1,19 @@
-//! What an audit finds in the benchmark's own test models, read from `../shared/fit4cad` or
-//! `$FIT4CAD_SHARED/fit4cad`; skipped, saying so, where they are not there.
+//! What an audit finds in the benchmark's own test models, where they are there.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::env;
-use std::fs;
-use std::path::{Path, PathBuf};
+mod benchmark;
 
+use std::path::Path;
+
+use benchmark::{MODELS, TRUTH};
 use fit4cad::audit::{Check, audit, correct};
 use fit4cad::diagnostics::Diagnostic;
-use fit4cad::format::{Role, SourceFile, read_model};
 use fit4cad::model::Model;
-
-fn test_sample() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared");
-    let shared = env::var_os("FIT4CAD_SHARED").map_or(beside, PathBuf::from);
-    let folder = shared.join("fit4cad/test_sample");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("skipped: {} is not there", folder.display());
-    None
-}
 
 /// A model of the test sample with its truth.
 fn read(folder: &Path, name: &str) -> (Model, Vec<Diagnostic>) {
-    let files = [
-        (Role::Cloud, ""),
-        (Role::Primitives, "_primitives"),
-        (Role::Parametric, "_parametric"),
-        (Role::Implicit, "_implicit"),
-    ]
-    .map(|(role, kind)| {
-        let path = format!("pointCloud{kind}/{name}{kind}.txt");
-        let bytes = fs::read(folder.join(&path)).unwrap();
-        (path, role, bytes)
-    });
-    let sources = files.each_ref().map(|(path, role, bytes)| SourceFile {
-        path,
-        role: *role,
-        method: None,
-        bytes,
-    });
-    read_model(name, &sources)
+    benchmark::read(folder, name, &[TRUTH])
 }
 
 fn found(model: &Model, diagnostics: &[Diagnostic]) -> Vec<(String, Option<u32>, Check)> {
@@ -53,17 +24,15 @@ fn found(model: &Model, diagnostics: &[Diagnostic]) -> Vec<(String, Option<u32>,
         .collect()
 }
 
-const NAMES: [&str; 10] = [
-    "PC1", "PC2", "PC5", "PC9", "PC11", "PC14", "PC16", "PC27", "PC31", "PC33",
-];
-
 /// The last index of each of sixteen lists of PC31 is a point far off a surface that all others
 /// lie on; its parametric file is empty.
 #[test]
 fn the_test_sample_has_an_empty_file_and_sixteen_stray_points_and_nothing_else() {
-    let Some(folder) = test_sample() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let mut all = Vec::new();
-    for name in NAMES {
+    for name in MODELS {
         let (model, diagnostics) = read(&folder, name);
         all.extend(found(&model, &diagnostics));
     }
@@ -78,7 +47,9 @@ fn the_test_sample_has_an_empty_file_and_sixteen_stray_points_and_nothing_else()
 
 #[test]
 fn taking_the_stray_points_out_leaves_no_finding() {
-    let Some(folder) = test_sample() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let (mut model, _) = read(&folder, "PC31");
     let stray = audit(&model, &[]).findings;
     for primitive in &mut model.truth.as_mut().unwrap().primitives {
@@ -94,8 +65,10 @@ fn taking_the_stray_points_out_leaves_no_finding() {
 
 #[test]
 fn forms_that_fit_are_left_as_they_are() {
-    let Some(folder) = test_sample() else { return };
-    for name in NAMES {
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
+    for name in MODELS {
         let (model, _) = read(&folder, name);
         let (truth, corrections) = correct(&model).unwrap();
         assert_eq!(corrections, [], "{name}");

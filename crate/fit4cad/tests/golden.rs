@@ -1,7 +1,5 @@
-//! The benchmark's own test models score as an independent implementation says they do.
-//!
-//! Needs the benchmark's files in `../shared/fit4cad` beside the checkout, or in
-//! `$FIT4CAD_SHARED/fit4cad`; without them the tests pass and say that they were skipped.
+//! The benchmark's own test models, where they are there, score as an independent implementation
+//! says they do.
 
 #![allow(
     clippy::unwrap_used,
@@ -9,71 +7,34 @@
     reason = "a test fails by panicking"
 )]
 
-use std::env;
-use std::fs;
-use std::path::{Path, PathBuf};
+mod benchmark;
 
-use fit4cad::format::{Role, SourceFile, read_model};
+use std::fs;
+use std::path::Path;
+
+use benchmark::{MODELS, TRUTH};
 use fit4cad::metrics::accuracy::fit_accuracy;
 use fit4cad::metrics::{Measure, Protocol, Report, score};
 use fit4cad::model::Model;
-use fit4cad::surface::Surface;
+use fit4cad::surface::{Form, Surface};
 use serde_json::Value;
 
 const METHODS: [&str; 2] = ["HT", "PG"];
-
-fn benchmark() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared");
-    let shared = env::var_os("FIT4CAD_SHARED").map_or(beside, PathBuf::from);
-    let folder = shared.join("fit4cad");
-    if folder.join("test_sample").is_dir() {
-        Some(folder)
-    } else {
-        eprintln!("skipped: no benchmark files in {}", folder.display());
-        None
-    }
-}
 
 fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
 /// A model with its truth and both published results.
-fn model(sample: &Path, name: &str) -> Model {
-    let mut files = Vec::new();
-    for method in [None, Some("HT"), Some("PG")] {
-        for (role, kind) in [
-            (Role::Cloud, ""),
-            (Role::Primitives, "_primitives"),
-            (Role::Parametric, "_parametric"),
-            (Role::Implicit, "_implicit"),
-        ] {
-            let suffix = method
-                .map(|method| format!("_{method}"))
-                .unwrap_or_default();
-            let path = sample.join(format!("pointCloud{kind}{suffix}/{name}{kind}.txt"));
-            if let Ok(bytes) = fs::read(&path) {
-                files.push((path.display().to_string(), role, method, bytes));
-            }
-        }
-    }
-    let sources: Vec<SourceFile<'_>> = files
-        .iter()
-        .map(|(path, role, method, bytes)| SourceFile {
-            path,
-            role: *role,
-            method: *method,
-            bytes,
-        })
-        .collect();
-    read_model(name, &sources).0
+fn model(folder: &Path, name: &str) -> Model {
+    benchmark::read(folder, name, &[TRUTH, Some("HT"), Some("PG")]).0
 }
 
 /// Every report that an expectation speaks of, with that expectation.
 fn reports(folder: &Path, expectations: &Value) -> Vec<(String, Protocol, Report, Value, Value)> {
     let mut reports = Vec::new();
     for (name, expected) in expectations.as_object().unwrap() {
-        let model = model(&folder.join("test_sample"), name);
+        let model = model(folder, name);
         if model.cloud.is_empty() {
             continue;
         }
@@ -110,10 +71,13 @@ fn is_accuracy(measure: Measure) -> bool {
 
 #[test]
 fn every_golden_value_is_met() {
-    let Some(folder) = benchmark() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let golden = json(&folder.join("golden.json"));
     let reports = reports(&folder, &golden);
-    assert_eq!(reports.len(), 40, "ten models, two methods, two protocols");
+    let expected = MODELS.len() * METHODS.len() * Protocol::ALL.len();
+    assert_eq!(reports.len(), expected);
     let (mut compared, mut worst) = (0, [0.0f64; 2]);
     let mut misses = Vec::new();
     for (label, protocol, report, figures, _) in &reports {
@@ -154,7 +118,9 @@ fn every_golden_value_is_met() {
 
 #[test]
 fn the_rounded_figures_of_both_methods_are_met() {
-    let Some(folder) = benchmark() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let published = json(&folder.join("published_methods.json"));
     for (label, _, report, figures, _) in reports(&folder, &published) {
         for measure in Measure::ALL {
@@ -171,7 +137,9 @@ fn the_rounded_figures_of_both_methods_are_met() {
 
 #[test]
 fn the_published_protocol_meets_the_tables_of_the_paper() {
-    let Some(folder) = benchmark() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let golden = json(&folder.join("golden.json"));
     for (label, protocol, report, _, paper) in reports(&folder, &golden) {
         if protocol != Protocol::Published {
@@ -199,18 +167,18 @@ fn the_published_protocol_meets_the_tables_of_the_paper() {
 
 #[test]
 fn both_forms_of_every_true_surface_describe_the_points() {
-    let Some(folder) = benchmark() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let golden = json(&folder.join("golden.json"));
     let (mut compared, mut off) = (0, Vec::new());
     for name in golden.as_object().unwrap().keys() {
-        let model = model(&folder.join("test_sample"), name);
+        let model = model(&folder, name);
         for primitive in &model.truth.as_ref().unwrap().primitives {
             let kind = primitive.kind.unwrap();
-            let forms = [
-                Surface::from_parametric(kind, primitive.parametric.values().unwrap()),
-                Surface::from_implicit(kind, primitive.implicit.values().unwrap()),
-            ];
-            for surface in forms.map(|form| form.unwrap().surface) {
+            for form in Form::ALL {
+                let values = primitive.coefficients(form).values().unwrap();
+                let surface = Surface::from_form(form, kind, values).unwrap().surface;
                 let fit = fit_accuracy(&model.cloud, &primitive.points, &surface).unwrap();
                 compared += 1;
                 if fit.mfe > 1e-3 {

@@ -1,56 +1,18 @@
-//! The benchmark's own files, read from `../shared/fit4cad` or `$FIT4CAD_SHARED/fit4cad`; skipped,
-//! saying so, where they are not there.
+//! The benchmark's own files read as they should, where they are there.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::fs;
-use std::path::{Path, PathBuf};
+mod benchmark;
 
+use std::path::Path;
+
+use benchmark::{MODELS, TRUTH};
 use fit4cad::diagnostics::{Diagnostic, Severity};
-use fit4cad::format::{Role, SourceFile, read_model};
 use fit4cad::model::{Coefficients, Model, Segmentation};
 
-fn test_sample() -> Option<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let shared = std::env::var_os("FIT4CAD_SHARED").map_or(root.join("../shared"), PathBuf::from);
-    let folder = shared.join("fit4cad/test_sample");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("skipped: {} is not there", folder.display());
-    None
-}
-
-/// Reads a model of the test sample with the results of both methods.
+/// A model of the test sample with its truth and the results of both methods.
 fn read(folder: &Path, name: &str) -> (Model, Vec<Diagnostic>) {
-    let mut files = vec![(format!("pointCloud/{name}.txt"), Role::Cloud, None)];
-    for (method, suffix) in [(None, ""), (Some("HT"), "_HT"), (Some("PG"), "_PG")] {
-        for (role, word) in [
-            (Role::Primitives, "primitives"),
-            (Role::Parametric, "parametric"),
-            (Role::Implicit, "implicit"),
-        ] {
-            let path = format!("pointCloud_{word}{suffix}/{name}_{word}.txt");
-            if folder.join(&path).exists() {
-                files.push((path, role, method));
-            }
-        }
-    }
-    let contents: Vec<Vec<u8>> = files
-        .iter()
-        .map(|(path, ..)| fs::read(folder.join(path)).unwrap())
-        .collect();
-    let sources: Vec<SourceFile<'_>> = files
-        .iter()
-        .zip(&contents)
-        .map(|((path, role, method), bytes)| SourceFile {
-            path,
-            role: *role,
-            method: *method,
-            bytes,
-        })
-        .collect();
-    read_model(name, &sources)
+    benchmark::read(folder, name, &[TRUTH, Some("HT"), Some("PG")])
 }
 
 fn errors(diagnostics: &[Diagnostic]) -> Vec<String> {
@@ -69,15 +31,13 @@ fn of_method<'a>(model: &'a Model, method: &str) -> &'a Segmentation {
     &submission.unwrap().segmentation
 }
 
-const NAMES: [&str; 10] = [
-    "PC1", "PC2", "PC5", "PC9", "PC11", "PC14", "PC16", "PC27", "PC31", "PC33",
-];
-
 #[test]
 fn the_test_sample_reads_with_one_error_the_cylinder_of_nine_numbers() {
-    let Some(folder) = test_sample() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let mut all = Vec::new();
-    for name in NAMES {
+    for name in MODELS {
         let (model, diagnostics) = read(&folder, name);
         for diagnostic in &diagnostics {
             eprintln!("{diagnostic}");
@@ -98,8 +58,10 @@ fn the_test_sample_reads_with_one_error_the_cylinder_of_nine_numbers() {
 
 #[test]
 fn every_truth_primitive_of_the_test_sample_has_points_and_a_surface() {
-    let Some(folder) = test_sample() else { return };
-    for name in NAMES {
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
+    for name in MODELS {
         let truth = read(&folder, name).0.truth.unwrap();
         for primitive in &truth.primitives {
             assert!(!primitive.points.is_empty(), "{name} {}", primitive.number);
@@ -120,7 +82,9 @@ fn every_truth_primitive_of_the_test_sample_has_points_and_a_surface() {
 
 #[test]
 fn a_malformed_entry_and_a_missing_one_stay_so_where_the_file_is_there() {
-    let Some(folder) = test_sample() else { return };
+    let Some(folder) = benchmark::folder() else {
+        return;
+    };
     let (pc2, _) = read(&folder, "PC2");
     let second = &of_method(&pc2, "HT").primitives[1];
     assert_eq!(second.implicit, Coefficients::Malformed);
