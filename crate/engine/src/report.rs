@@ -201,27 +201,14 @@ impl Report {
 
 fn truth_rows(report: &metrics::Report) -> Vec<TruthReport> {
     let rows = report.primitives.iter().enumerate();
-    rows.map(|(index, row)| {
-        let matched = row.matched.and_then(|place| report.predictions.get(place));
-        let classification = row.classification;
+    rows.map(|(place, row)| {
+        let matched = row.matched.and_then(|index| report.predictions.get(index));
         TruthReport {
             truth: row.number,
             matched: matched.map(|prediction| prediction.number),
             kind: row.kind.map(SurfaceType::from),
             size: row.size as u32,
-            measures: Measures {
-                dsc: classification.dsc,
-                ppv: classification.ppv,
-                tpr: classification.tpr,
-                tnr: classification.tnr,
-                npv: classification.npv,
-                acc: classification.acc,
-                mfe: matched.and_then(|prediction| prediction.mfe),
-                d_haus: matched.and_then(|prediction| prediction.d_haus),
-                d1: matched
-                    .filter(|prediction| prediction.matched == Some(index))
-                    .and_then(|prediction| prediction.d1),
-            },
+            measures: Measures::from(&report.measures_of(place).unwrap_or_default()),
         }
     })
     .collect()

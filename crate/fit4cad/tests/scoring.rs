@@ -93,6 +93,13 @@ fn a_small_case_scores_as_computed_by_hand() {
     assert_eq!(report.hidden.truth_labelled, Some(0.8));
     assert_eq!(report.type_errors, 0);
 
+    // The first prediction is the match of both and meets the first most: d1 is the first's alone.
+    let of_place = |place: usize| report.measures_of(place).unwrap();
+    let found = [0, 1].map(|place| [of_place(place).mfe, of_place(place).d1]);
+    assert!(close(found[0][0], Some(0.2)) && close(found[0][1], Some(1.0)));
+    assert_eq!(found[1], [found[0][0], None]);
+    assert_eq!(report.measures_of(2), None);
+
     // Published: points 8 and 9 do not exist, so TN is 2 and 0; headings swapped.
     let report = evaluate(&row(10), &truth, &prediction, Protocol::Published);
     assert!(close(report.mean.ppv, Some(0.75)));

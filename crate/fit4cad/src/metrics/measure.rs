@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::classification::Classification;
+
 /// One of the paper's measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Measure {
@@ -87,6 +89,29 @@ pub struct Measures {
     pub d_haus: Option<f64>,
     /// Coefficient distance, from 0.
     pub d1: Option<f64>,
+}
+
+/// The six of classification; the three of fit accuracy cannot be had from it.
+impl From<Classification> for Measures {
+    fn from(classification: Classification) -> Self {
+        let Classification {
+            dsc,
+            ppv,
+            tpr,
+            tnr,
+            npv,
+            acc,
+        } = classification;
+        Self {
+            dsc,
+            ppv,
+            tpr,
+            tnr,
+            npv,
+            acc,
+            ..Self::default()
+        }
+    }
 }
 
 impl Measures {

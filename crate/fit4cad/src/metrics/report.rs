@@ -34,6 +34,23 @@ pub struct Report {
     pub hidden: Hidden,
 }
 
+impl Report {
+    /// The measures of the true primitive at a place: the classification of its points, and the fit
+    /// of its match; d1 only where the match's own most overlapping primitive is this one, as d1
+    /// compares those two. `None` beyond the last.
+    pub fn measures_of(&self, place: usize) -> Option<Measures> {
+        let row = self.primitives.get(place)?;
+        let matched = row.matched.and_then(|index| self.predictions.get(index));
+        let mutual = matched.filter(|prediction| prediction.matched == Some(place));
+        Some(Measures {
+            mfe: matched.and_then(|prediction| prediction.mfe),
+            d_haus: matched.and_then(|prediction| prediction.d_haus),
+            d1: mutual.and_then(|prediction| prediction.d1),
+            ..row.classification.into()
+        })
+    }
+}
+
 /// How one true primitive was recognised.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TruthRow {
