@@ -68,17 +68,6 @@ pub fn torus(section: &[Point], origin: &Point, axis: &Direction) -> Option<Surf
     )))
 }
 
-/// How many rows, circles about the axis, the points lie on: distinct places in the half-plane.
-pub fn rows(section: &[Point], apart: f64) -> usize {
-    let mut places: Vec<Point> = Vec::new();
-    for point in section {
-        if places.iter().all(|place| (place - point).norm() > apart) {
-            places.push(*point);
-        }
-    }
-    places.len()
-}
-
 /// The circle x² + y² = 2ax + 2by + c of least algebraic error: centre and radius.
 pub fn circle(points: &[Point]) -> Option<(Point, f64)> {
     let middle = Spread::of(points.iter())?.centroid;
@@ -122,12 +111,5 @@ mod tests {
         };
         assert!((found.centre - truth.centre).norm() < 1e-9);
         assert!((found.major_radius - 5.0).abs() + (found.minor_radius - 0.7).abs() < 1e-9);
-    }
-
-    #[test]
-    fn points_on_two_circles_are_two_rows() {
-        let section =
-            [[1.0, 0.0], [2.0, 0.0], [1.0, 1e-9], [2.0, -1e-9]].map(|[x, y]| Point::new(x, y, 0.0));
-        assert_eq!(rows(&section, 1e-6), 2);
     }
 }

@@ -100,6 +100,21 @@ struct Contender {
 }
 
 impl Contender {
+    fn new(search: &mut Search<'_>, candidate: Candidate, proof: Proof) -> Self {
+        let is_thin = search.scale.is_clean() && search.thickness(&candidate) < WIDE;
+        let border = if is_thin {
+            border(search, &candidate)
+        } else {
+            Vec::new()
+        };
+        Self {
+            worth: 0.0,
+            candidate,
+            border,
+            proof,
+        }
+    }
+
     /// Points at which it would end in nowhere.
     fn loose(&self, search: &Search<'_>) -> usize {
         let is_loose = |point: &&BorderPoint| !search.is_explained(point.index);
@@ -174,6 +189,12 @@ const THICKNESS: f64 = 3.5;
 /// Thickness below which a patch may be all border: three rows of points have six or seven.
 const WIDE: f64 = 7.2;
 
+/// Whether the points of its own show that a candidate is there, and it ends sharply.
+pub fn is_evident(search: &mut Search<'_>, candidate: &Candidate) -> bool {
+    let contender = Contender::new(search, candidate.clone(), Proof::Certain);
+    Evidence::Own.suffices(search, &contender) && !search.has_fuzzy_border(candidate)
+}
+
 /// Accepts candidates, the one worth most first, until none is worth keeping.
 ///
 /// Every acceptance changes what the others are worth: the points it explains are theirs no more, and
@@ -187,22 +208,11 @@ pub fn accept_winners(
 ) -> usize {
     let mut open: Vec<Contender> = Vec::new();
     for candidate in candidates {
-        let is_thin = search.scale.is_clean() && search.thickness(&candidate) < WIDE;
-        let border = if is_thin {
-            border(search, &candidate)
-        } else {
-            Vec::new()
-        };
         let proof = match evidence {
             Evidence::Own => Proof::Certain,
             Evidence::Borders(_) => proof(search, &candidate),
         };
-        open.push(Contender {
-            worth: 0.0,
-            proof,
-            candidate,
-            border,
-        });
+        open.push(Contender::new(search, candidate, proof));
     }
     let mut accepted = 0;
     loop {

@@ -31,12 +31,8 @@ pub struct Search<'a> {
     /// The only source of chance: the same seed makes the same choices.
     pub random: fastrand::Rng,
     accepted: Vec<Candidate>,
-    /// How many accepted surfaces hold each point.
-    claims: Vec<u32>,
     /// The accepted surface that held each point last.
     holder: Vec<u32>,
-    /// Whether something is still to be explained about each point.
-    open: Vec<bool>,
     marks: Marks,
 }
 
@@ -85,9 +81,7 @@ impl<'a> Search<'a> {
             parameters: *parameters,
             random: fastrand::Rng::with_seed(seed),
             accepted: Vec::new(),
-            claims: vec![0; cloud.len()],
             holder: vec![u32::MAX; cloud.len()],
-            open: vec![true; cloud.len()],
             marks: Marks {
                 stamps: vec![0; cloud.len()],
                 current: 0,
@@ -111,10 +105,9 @@ impl<'a> Search<'a> {
         &self.accepted
     }
 
-    /// Whether nothing is left to explain about a point: an accepted surface holds it, and after
-    /// [`Search::reopen_borders`] also what lies beyond where that surface ends.
+    /// Whether an accepted surface holds a point.
     pub fn is_explained(&self, index: u32) -> bool {
-        !self.open[index as usize]
+        self.holder[index as usize] != u32::MAX
     }
 
     /// Whether an accepted surface of the family already passes through all these points.
@@ -338,9 +331,7 @@ impl<'a> Search<'a> {
         // Candidates are fewer than points, which u32 counts.
         let place = self.accepted.len() as u32;
         for &index in &candidate.support {
-            self.claims[index as usize] += 1;
             self.holder[index as usize] = place;
-            self.open[index as usize] = false;
         }
         self.accepted.push(candidate);
     }

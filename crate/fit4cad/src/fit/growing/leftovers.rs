@@ -7,6 +7,7 @@ use super::super::axes::direction_of;
 use super::super::contest::{Evidence, accept_winners};
 use super::super::progress::{Cancelled, Observer, Stage};
 use super::super::search::Search;
+use super::super::thin::axis::known_axes;
 use super::super::thin::borders::Borders;
 use super::super::thin::{self, Proposer};
 use super::super::trace::Event;
@@ -19,6 +20,43 @@ const RECURRING: usize = 6;
 const SHARE: f64 = 0.02;
 /// Sine of the angle below which two directions are one.
 const SAME: f64 = 1e-3;
+
+/// Neighbourhoods that a surface about a known axis must pass through.
+const COAXIAL: [usize; 2] = [16, 8];
+/// Fewest points of such a neighbourhood.
+const FEWEST: usize = 6;
+/// Neighbourhoods in vain, on no surface about any axis, after which no more are tried.
+const VAIN: usize = 2000;
+
+/// Finds surfaces about the axes of those found so far: with the axis known, patches suffice that are
+/// too small or too flat to have one of their own.
+pub fn coaxial(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
+    for size in COAXIAL {
+        observer.progress(Stage::Find, 0.8)?;
+        let axes = known_axes(search);
+        let mut order: Vec<u32> = (0..search.cloud.len() as u32)
+            .filter(|&index| !search.is_explained(index))
+            .collect();
+        search.random.shuffle(&mut order);
+        let mut proposals = Vec::new();
+        let mut vain = 0;
+        for seed in order {
+            let patch = search.unexplained_near(seed, size);
+            if patch.len() < FEWEST {
+                continue;
+            }
+            let found = thin::coaxial::coaxial(search, &axes, &patch);
+            vain += usize::from(found.is_empty());
+            if vain > VAIN {
+                break;
+            }
+            proposals.extend(found.into_iter().map(|surface| (seed, surface)));
+        }
+        let candidates = grown(search, &proposals);
+        accept(search, candidates, &mut Evidence::Own, observer);
+    }
+    Ok(())
+}
 
 /// Finds thin faces until no pass over the free points finds another.
 pub fn thin_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
@@ -33,23 +71,32 @@ pub fn thin_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Resul
             observer.progress(Stage::Find, 0.8 + 0.2 * done / all)?;
             let proposals = proposer.proposals(search, &borders, size);
             let candidates = grown(search, &proposals);
-            let wants_trace = observer.wants_trace();
-            let mut show = |winner: &Candidate| {
-                if wants_trace {
-                    observer.trace(Event::Accepted {
-                        surface: winner.surface,
-                        support: winner.support.clone(),
-                    });
-                }
-            };
             let evidence = &mut Evidence::Borders(&mut borders);
-            accepted += accept_winners(search, candidates, evidence, &mut show);
+            accepted += accept(search, candidates, evidence, observer);
         }
         if accepted == 0 {
             break;
         }
     }
     Ok(())
+}
+
+/// Accepts those of some candidates that win, and tells so. Returns how many.
+fn accept(
+    search: &mut Search<'_>,
+    candidates: Vec<Candidate>,
+    evidence: &mut Evidence<'_>,
+    observer: &mut dyn Observer,
+) -> usize {
+    let wants_trace = observer.wants_trace();
+    accept_winners(search, candidates, evidence, &mut |winner| {
+        if wants_trace {
+            observer.trace(Event::Accepted {
+                surface: winner.surface,
+                support: winner.support.clone(),
+            });
+        }
+    })
 }
 
 /// Normals of planes and axes that the accepted surfaces have in common, by how many points they
@@ -80,29 +127,32 @@ fn recurring(search: &Search<'_>) -> Vec<Direction> {
 }
 
 /// Grows the proposed surfaces, unless what is on one around its point is on another of its family
-/// that has grown already. O(proposals × points of a thin face).
+/// that has grown already. Those that fade out are dropped, and no other of the family is tried at
+/// their points: on free-form regions every neighbourhood proposes a surface a little different from
+/// the next. O(proposals × points of a thin face).
 fn grown(search: &mut Search<'_>, proposals: &[(u32, Surface)]) -> Vec<Candidate> {
-    let mut candidates: Vec<Candidate> = Vec::new();
+    let mut tried: Vec<(Candidate, bool)> = Vec::new();
     // The candidates through each point, ascending.
     let mut through: Vec<Vec<u32>> = vec![Vec::new(); search.cloud.len()];
     for (seed, surface) in proposals {
         let on = |index: &&u32| surface.distance(search.point(**index)) <= search.scale.tolerance;
         let around: Vec<u32> = search.graph.of(*seed).iter().filter(on).copied().collect();
         let is_grown = |&place: &u32| {
-            candidates[place as usize].surface.kind() == surface.kind()
-                && around
-                    .iter()
-                    .all(|&index| through[index as usize].binary_search(&place).is_ok())
+            let (other, is_fuzzy) = &tried[place as usize];
+            let holds = |&index: &u32| through[index as usize].binary_search(&place).is_ok();
+            other.surface.kind() == surface.kind() && (*is_fuzzy || around.iter().all(holds))
         };
         if through[*seed as usize].iter().any(is_grown) {
             continue;
         }
         if let Some(candidate) = search.grow(surface, &[*seed]) {
             for &index in &candidate.support {
-                through[index as usize].push(candidates.len() as u32);
+                through[index as usize].push(tried.len() as u32);
             }
-            candidates.push(candidate);
+            let is_fuzzy = search.has_fuzzy_border(&candidate);
+            tried.push((candidate, is_fuzzy));
         }
     }
-    candidates
+    let sharp = tried.into_iter().filter(|(_, is_fuzzy)| !is_fuzzy);
+    sharp.map(|(candidate, _)| candidate).collect()
 }

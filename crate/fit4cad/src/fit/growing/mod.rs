@@ -63,10 +63,10 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         ransac::split(search, region, observer)?;
     }
     if search.scale.is_clean() {
-        leftovers::thin_faces(search, observer)
-    } else {
-        detect::borders(search, observer)
+        leftovers::coaxial(search, observer)?;
+        leftovers::thin_faces(search, observer)?;
     }
+    Ok(())
 }
 
 /// Region refinement: a region of a simple class gets its surface by least squares, started from
@@ -145,7 +145,7 @@ fn simple_surface(
         let on = |&i: &u32| surface.distance(search.point(i)) <= tolerance;
         let seeds: Vec<u32> = region.iter().copied().filter(|i| on(i)).collect();
         if let Some(candidate) = search.grow(&surface, &seeds)
-            && detect::is_worth_keeping(search, detect::Pass::Faces, &candidate)
+            && detect::is_worth_keeping(search, &candidate)
             && search.own(&candidate) as f64 >= SIMPLE * region.len() as f64
         {
             candidates.push(candidate);

@@ -5,7 +5,7 @@
 //! and grown to connected support, and the one worth most is kept. Exact normals would make the
 //! minimal surface exact; estimated ones make it a start for least squares.
 
-use super::super::detect::{self, Pass};
+use super::super::detect;
 use super::super::progress::{Cancelled, Observer, Stage};
 use super::super::search::Search;
 use super::super::{Candidate, Parameters};
@@ -72,14 +72,14 @@ fn draw(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
     let mut candidates = Vec::new();
     if let Some(set) = minimal_set(search, &patch) {
         for surface in through(&set) {
-            detect::grow_start(search, Pass::Faces, &surface, &patch, &mut candidates);
+            detect::grow_start(search, &surface, &patch, &mut candidates);
         }
     }
     let clear = candidates
         .iter()
         .any(|candidate| search.own(candidate) >= detect::CLEAR);
     if !clear {
-        candidates.extend(detect::at(search, Pass::Faces, seed));
+        candidates.extend(detect::at(search, seed));
     }
     search.best(candidates)
 }

@@ -1,4 +1,4 @@
-//! Where a patch ends: how sharply, how wide it is there, and whether another face must follow.
+//! Where a patch ends: how sharply, and how wide it is there.
 
 use std::f64::consts::TAU;
 
@@ -39,35 +39,6 @@ pub fn widest_gap<'p>(
 }
 
 impl Search<'_> {
-    /// Opens the points at which a surface ends and no other takes over. They have one label, and
-    /// their neighbours on its surface leave a gap around them: there a face is missing that has no
-    /// points of its own, as thin walls, chamfers and countersinks have not. O(n).
-    pub fn reopen_borders(&mut self) {
-        /// Widest angle between neighbours inside a face: well above the ⅓ π of an even sampling,
-        /// below the π of a straight edge.
-        const GAP: f64 = 1.9;
-        for index in (0u32..).take(self.cloud.len()) {
-            if self.claims[index as usize] == 1 && self.gap(index) > GAP {
-                self.open[index as usize] = true;
-            }
-        }
-    }
-
-    /// The widest angle, in the tangent plane, between neighbours of a point on its surface; zero
-    /// for a point all of whose neighbours are.
-    fn gap(&self, index: u32) -> f64 {
-        let holder = self.holder[index as usize];
-        let candidate = &self.accepted[holder as usize];
-        let near = self.graph.of(index);
-        let on = |&i: &u32| candidate.support.binary_search(&i).is_ok();
-        if near.iter().all(on) {
-            return 0.0;
-        }
-        let point = self.point(index);
-        let around = near.iter().filter(|i| on(i)).map(|&i| self.point(i));
-        widest_gap(point, &candidate.surface.normal(point), around)
-    }
-
     /// Mean number of the eight nearest neighbours of a candidate's points that are its points too:
     /// near 8 for a wide patch, 5 for two rows, 2 for a single curve.
     pub fn thickness(&mut self, candidate: &Candidate) -> f64 {

@@ -131,27 +131,6 @@ fn accepted_points_are_explained_and_no_longer_a_candidates_own() {
 }
 
 #[test]
-fn where_a_face_ends_and_none_takes_over_its_border_opens_again() {
-    let cloud = corner();
-    let mut search = search(&cloud);
-    let face = indices(&cloud, |p| p.z == 0.0);
-    let wall = indices(&cloud, |p| p.x == 0.0);
-    let first = search.grow(&top(), &face[220..224]).unwrap();
-    search.accept(first);
-    search.reopen_borders();
-    // Away from the ends of the edge, where the free borders of both faces meet it.
-    let middle = |i: &u32| (5.0..=15.0).contains(&cloud.points()[*i as usize].y);
-    for index in face.iter().copied().filter(middle) {
-        assert_eq!(!search.is_explained(index), search.point(index).x == 0.0);
-    }
-    let second = search.grow(&side(), &wall[300..304]).unwrap();
-    search.accept(second);
-    search.reopen_borders();
-    let edge = face.iter().copied().filter(|&i| search.point(i).x == 0.0);
-    assert!(edge.filter(middle).all(|i| search.is_explained(i)));
-}
-
-#[test]
 fn a_row_is_thinner_than_a_strip_and_a_strip_than_a_patch() {
     let cloud = corner();
     let mut search = search(&cloud);
