@@ -102,7 +102,9 @@ impl Lasso {
 impl Region {
     fn contains(&self, point: &Point) -> bool {
         match self {
-            Self::Ball { centre, radius } => (point - centre).norm() <= *radius,
+            Self::Ball { centre, radius } => {
+                *radius >= 0.0 && (point - centre).norm_squared() <= radius * radius
+            }
             Self::Lasso(lasso) => lasso.contains(point),
         }
     }
