@@ -5,10 +5,14 @@
 //! axis ρ, outward direction u. Moving the axis by t changes ρ by -u·t and h by -a·t; tilting it
 //! about the reference point by e changes ρ by -h u·e and h by ρ u·e.
 
-use nalgebra::{Point3, SVector};
+mod torus;
+
+pub(super) use torus::TorusChart;
+
+use nalgebra::SVector;
 
 use crate::cloud::{Direction, Vector};
-use crate::surface::{Cone, Cylinder, Sphere, Surface, Torus, across};
+use crate::surface::{Cone, Cylinder, Sphere, Surface, across};
 
 /// A surface with a chart of N coordinates around it.
 pub(super) trait Chart<const N: usize>: Copy {
@@ -273,66 +277,11 @@ impl Chart<6> for ConeChart {
     }
 }
 
-/// Three shifts, two tilts, the two radii.
-#[derive(Clone, Copy)]
-pub(super) struct TorusChart {
-    frame: AxisFrame,
-    major: f64,
-    minor: f64,
-}
-
-impl TorusChart {
-    pub(super) fn new(torus: &Torus) -> Self {
-        Self {
-            frame: AxisFrame::new(torus.centre.coords, torus.axis),
-            major: torus.major_radius,
-            minor: torus.minor_radius,
-        }
-    }
-}
-
-impl Chart<7> for TorusChart {
-    fn distance(&self, point: &Vector) -> (f64, SVector<f64, 7>) {
-        let Axial {
-            height,
-            radius,
-            outward: [u, v],
-        } = self.frame.axial(point);
-        let length = ((radius - self.major).powi(2) + height * height).sqrt();
-        // Direction of the surface normal in the half-plane (ρ, h).
-        let (out, up) = if length > 0.0 {
-            ((radius - self.major) / length, height / length)
-        } else {
-            (1.0, 0.0)
-        };
-        let tilt = up * radius - out * height;
-        let gradient = [-out * u, -out * v, -up, tilt * u, tilt * v, -out, -1.0];
-        (length - self.minor, gradient.into())
-    }
-
-    fn moved(&self, step: &SVector<f64, 7>) -> Self {
-        Self {
-            frame: self
-                .frame
-                .moved([step[0], step[1], step[2]], [step[3], step[4]]),
-            major: self.major + step[5],
-            minor: self.minor + step[6],
-        }
-    }
-
-    fn surface(&self) -> Option<Surface> {
-        let finite = self.frame.is_finite() && self.major.is_finite() && self.minor.is_finite();
-        (finite && self.major > 0.0 && self.minor > 0.0).then(|| {
-            let axis = self.frame.axis.into_inner();
-            let centre = Point3::from(self.frame.point);
-            Surface::Torus(Torus::new(centre, axis, self.major, self.minor))
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::Torus;
+    use nalgebra::Point3;
 
     /// Central differences along every coordinate.
     fn assert_derivatives<const N: usize>(chart: impl Chart<N>) {
@@ -368,7 +317,9 @@ mod tests {
         assert_derivatives(SphereChart::new(&Sphere::new(centre, 0.8)));
         assert_derivatives(CylinderChart::new(&Cylinder::new(centre, tilted(), 0.7)));
         assert_derivatives(ConeChart::new(&Cone::new(centre * 4.0, tilted(), 0.4), &[]));
-        assert_derivatives(TorusChart::new(&Torus::new(centre, tilted(), 0.9, 0.3)));
+        let torus = Torus::new(centre, tilted(), 0.9, 0.3);
+        assert_derivatives(TorusChart::new(&torus, &[Vector::new(0.7, 0.4, 0.2)]));
+        assert_derivatives(TorusChart::new(&torus, &[Vector::new(0.1, -0.6, 0.1)]));
     }
 
     #[test]

@@ -110,7 +110,12 @@ fn fit_within(start: &Surface, points: &[Point], loss: Loss, effort: Effort) -> 
             minimise(charts::ConeChart::new(&shape, &local), &local, loss, effort)?
         }
         Surface::Sphere(shape) => minimise(charts::SphereChart::new(&shape), &local, loss, effort)?,
-        Surface::Torus(shape) => minimise(charts::TorusChart::new(&shape), &local, loss, effort)?,
+        Surface::Torus(shape) => minimise(
+            charts::TorusChart::new(&shape, &local),
+            &local,
+            loss,
+            effort,
+        )?,
     };
     Some(Fitted {
         surface: frame.leave_surface(&surface),

@@ -2,6 +2,7 @@
 
 mod reference;
 
+use super::super::local;
 use super::*;
 use crate::surface::{Cone, Sphere, Torus};
 
@@ -170,5 +171,39 @@ fn too_few_or_coinciding_points_determine_nothing() {
         let few = degrees_of_freedom(start.kind()) - 1;
         assert_eq!(fit(&start, &points[..few], Loss::Squares), None);
         assert_eq!(fit(&start, &[Point::origin(); 20], Loss::Squares), None);
+    }
+}
+
+/// Some thirty points of a torus, within a tenth of the tube of one of its points, tell which torus it
+/// is as long as they are exact. The starts bend as the patch does at one point and are no nearer.
+#[test]
+fn a_small_patch_of_a_torus_leads_to_the_whole() {
+    let truth = Torus::new(Point::origin(), Vector::z(), 20.0, 5.0);
+    let at = |u: f64, v: f64| {
+        let reach = 20.0 + 5.0 * v.cos();
+        Point::new(reach * u.cos(), reach * u.sin(), 5.0 * v.sin())
+    };
+    for latitude in [-2.4, -0.9, 0.0, 0.7, 1.5, 2.2] {
+        let patch: Vec<Point> = (0..30)
+            .map(|i| {
+                let (x, y) = (f64::from(i % 6) - 2.5, f64::from(i / 6) - 2.0);
+                // Rows out of line, or cones and tori of other axes pass through them too.
+                at(
+                    0.005 * (x + 0.3 * y * y),
+                    latitude + 0.04 * (y + 0.2 * x * x),
+                )
+            })
+            .collect();
+        let found = local::starts(SurfaceType::Torus, &patch)
+            .iter()
+            .filter_map(|start| fit(start, &patch, Loss::Squares))
+            .min_by(|a, b| a.error.total_cmp(&b.error));
+        let Some(Surface::Torus(found)) = found.map(|fitted| fitted.surface) else {
+            panic!("no torus at {latitude}");
+        };
+        let off = (found.major_radius - truth.major_radius).abs()
+            + (found.minor_radius - truth.minor_radius).abs()
+            + (found.centre - truth.centre).norm();
+        assert!(off < 1e-5, "{off} at {latitude}: {found:?}");
     }
 }
