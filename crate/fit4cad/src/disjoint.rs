@@ -36,10 +36,10 @@ impl DisjointSets {
 
     /// The members, one for each number, set by set: in their order, and the sets in that of their
     /// first members.
-    pub(crate) fn groups(&mut self, members: &[u32]) -> Vec<Vec<u32>> {
-        let mut place = vec![usize::MAX; members.len()];
-        let mut groups: Vec<Vec<u32>> = Vec::new();
-        for (number, &member) in members.iter().enumerate() {
+    pub(crate) fn groups<T>(&mut self, members: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
+        let mut place = vec![usize::MAX; self.parents.len()];
+        let mut groups: Vec<Vec<T>> = Vec::new();
+        for (number, member) in members.into_iter().enumerate() {
             let root = self.root(number);
             if place[root] == usize::MAX {
                 place[root] = groups.len();
@@ -62,7 +62,7 @@ mod tests {
             for &(a, b) in pairs {
                 sets.join(a, b);
             }
-            sets.groups(&[10, 11, 12, 13, 14, 15])
+            sets.groups([10, 11, 12, 13, 14, 15])
         };
         let expected = vec![vec![10, 13, 15], vec![11, 12], vec![14]];
         assert_eq!(joined(&[(0, 3), (5, 3), (2, 1)]), expected);

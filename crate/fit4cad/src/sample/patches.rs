@@ -63,5 +63,5 @@ fn components(
         });
         grid.add(*point);
     }
-    sets.groups(members)
+    sets.groups(members.iter().copied())
 }

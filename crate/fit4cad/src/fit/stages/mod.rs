@@ -1,12 +1,14 @@
 //! From the surfaces a method found to a segmentation: prune, label, patches. Every fitter shares
 //! these stages, so methods differ only in what they find.
 
+mod halves;
 mod label;
 mod patches;
 mod prune;
 
+pub use halves::join_halves;
 pub use label::{Labels, label};
-pub use patches::patches;
+pub use patches::{Patch, patches};
 pub use prune::prune;
 
 use super::Parameters;
@@ -29,9 +31,9 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
         smallest.max(SPLINTER)
     };
     let mut primitives: Vec<Primitive> = Vec::new();
-    for (candidate, points) in patches(search, &kept, &labels) {
+    for Patch { surface, points } in join_halves(search, patches(search, &kept, &labels)) {
         if points.len() >= smallest {
-            primitives.push(Primitive::on(candidate.surface, 0, points));
+            primitives.push(Primitive::on(surface, 0, points));
         }
     }
     primitives.sort_by_key(|primitive| std::cmp::Reverse(primitive.points.len()));

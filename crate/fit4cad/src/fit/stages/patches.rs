@@ -16,18 +16,24 @@ use super::label::Labels;
 use crate::cloud::Vector;
 use crate::cloud::neighbours::Neighbour;
 use crate::disjoint::DisjointSets;
+use crate::surface::Surface;
 
 /// Nearest points of the same surface that a point may link to.
 const LINKS: usize = 12;
 /// Longest link, in spacings of the cloud. Clouds that were sampled at random have holes of six.
 const REACH: f64 = 8.0;
 
-/// The patches of every surface, each with its points, ascending.
-pub fn patches<'c>(
-    search: &Search<'_>,
-    candidates: &'c [Candidate],
-    labels: &Labels,
-) -> Vec<(&'c Candidate, Vec<u32>)> {
+/// One connected piece of a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    /// What it is a piece of.
+    pub surface: Surface,
+    /// The points on it, ascending.
+    pub points: Vec<u32>,
+}
+
+/// The patches of every surface.
+pub fn patches(search: &Search<'_>, candidates: &[Candidate], labels: &Labels) -> Vec<Patch> {
     let mut patches = Vec::new();
     let mut place = vec![u32::MAX; search.cloud.len()];
     for (surface, candidate) in (0u32..).zip(candidates) {
@@ -43,14 +49,15 @@ pub fn patches<'c>(
             points,
             place: &place,
         };
-        for patch in face.connected() {
-            let own = patch.iter().filter(|&&i| labels.of(i).len() == 1).count();
-            let supported = patch
+        for points in face.connected() {
+            let own = points.iter().filter(|&&i| labels.of(i).len() == 1).count();
+            let supported = points
                 .iter()
                 .filter(|i| candidate.support.binary_search(i).is_ok())
                 .count();
-            if own > 0 || 2 * supported > patch.len() {
-                patches.push((candidate, patch));
+            if own > 0 || 2 * supported > points.len() {
+                let surface = candidate.surface;
+                patches.push(Patch { surface, points });
             }
         }
         for &index in points {
@@ -105,7 +112,7 @@ impl Face<'_> {
             }
         }
         self.attach(&roles, &mut sets, &mut near);
-        sets.groups(self.points)
+        sets.groups(self.points.iter().copied())
     }
 
     /// The nearest points of the face, nearest first.
