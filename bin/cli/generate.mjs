@@ -15,6 +15,7 @@ const OPTIONS = {
   outliers: { type: "string" },
   missing: { type: "string" },
   imperfect: { type: "boolean", default: false },
+  name: { type: "string" },
   out: { type: "string", default: "." },
 };
 
@@ -44,7 +45,11 @@ export async function generate(args) {
   if (!parts.some(({ name }) => name === part)) {
     throw new UsageError(`there is no part "${part}"; --list shows what there is`);
   }
-  return write(make(engine, part, options, values.imperfect), values.out);
+  const name = values.name ?? part;
+  if (!/^[^/\\]+$/.test(name)) {
+    throw new UsageError(`--name ${name}: expected a name of files, without folders`);
+  }
+  return write(make(engine, part, options, { name, imperfect: values.imperfect }), values.out);
 }
 
 async function list(parts) {
@@ -52,7 +57,7 @@ async function list(parts) {
   await print(parts.map(({ name, description }) => `${name.padEnd(width)}  ${description}\n`).join(""));
 }
 
-function make(engine, part, options, imperfect) {
+function make(engine, part, options, { name, imperfect }) {
   const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
   let model;
   try {
@@ -62,7 +67,6 @@ function make(engine, part, options, imperfect) {
     throw new UsageError(error.message);
   }
   try {
-    const { name } = model.info();
     const truth = model.write();
     const files = { [`${name}.txt`]: truth.cloud, ...segmentation(truth, name) };
     if (!imperfect) {

@@ -72,7 +72,8 @@ Examples:
 Exit code: 0 all scored, 1 some input unusable, 2 called wrongly.
 `;
 
-const generate = () => `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [--outliers f] [--missing f] [--imperfect] [--out DIR]
+const generate = () => `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [--outliers f] [--missing f] [--imperfect]
+                      [--name NAME] [--out DIR]
 fit4cad generate --list
 
 Makes a CAD-like part with its ground truth: the four files of a Fit4CAD model. The same options
@@ -85,6 +86,7 @@ always give the same files. S and σ are shares of the diagonal of the part's bo
   --outliers f  points of no primitive for each point of the part, 0 to 1
   --missing f   share of the points cut away in balls and half-spaces, 0 to 0.95
   --imperfect   also a submission that is wrong in common ways, so that there is something to score
+  --name NAME   what the model is called (default: as its part)
   --out DIR     where the files go (default: the current folder); made if missing
 
 Example:

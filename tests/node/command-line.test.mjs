@@ -32,18 +32,23 @@ test("the protocol is said where it is not the default", () => {
 });
 
 test("a sample is made first, with what was said about it and nothing else", () => {
-  const samples = [{ part: "flange", options: { noise: 0.001, seed: 3 } }];
+  const samples = [
+    { name: "flange", part: "flange", options: {} },
+    { name: "flange-noise0.001-seed3", part: "flange", options: { noise: 0.001, seed: 3 } },
+  ];
+  const worn = "flange-noise0.001-seed3";
   assert.deepEqual(understood(commandLine(onScreen({ samples, paths: ["mine/PC1.txt"] }))), [
-    ["generate", "flange", "--seed", "3", "--noise", "0.001", "--imperfect", "--out", "flange"],
-    ["score", "flange", "mine"],
+    ["generate", "flange", "--imperfect", "--out", "flange"],
+    ["generate", "flange", "--seed", "3", "--noise", "0.001", "--imperfect", "--name", worn, "--out", worn],
+    ["score", "flange", worn, "mine"],
   ]);
 });
 
 test("a fit is repeated with its settings on what it was made on, and scored with the rest", () => {
-  const samples = [{ part: "flange", options: {} }, { part: "gear", options: {} }];
+  const samples = ["flange", "gear"].map((part) => ({ name: part, part, options: {} }));
   const fits = [
-    { request: { method: "ht", parameters: {}, seed: 1 }, parts: ["gear"], brought: false },
-    { request: { method: "pg", parameters: { fuzzy_border: 0.2 }, seed: 9 }, parts: ["flange"], brought: true },
+    { request: { method: "ht", parameters: {}, seed: 1 }, samples: ["gear"], brought: false },
+    { request: { method: "pg", parameters: { fuzzy_border: 0.2 }, seed: 9 }, samples: ["flange"], brought: true },
   ];
   assert.deepEqual(understood(commandLine(onScreen({ samples, fits, paths: ["my set/PC1.txt"] }))).slice(2), [
     ["fit", "gear", "--method", "ht", "--seed", "1", "--out", "fits"],

@@ -32,6 +32,7 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
     [["generate", "flange", "--seed", "1.5"], /a whole number/],
     [["generate", "flange", "--noise", "-1"], /--noise -1/],
     [["generate", "flange", "--spacing", "7"], /spacing must be between/],
+    [["generate", "flange", "--name", "../mine"], /--name ..\/mine: expected/],
   ];
   for (const [args, expected] of calls) {
     const { code, out, err } = fit4cad(...args);

@@ -38,8 +38,8 @@ const repeatable = computed<readonly FitOnScreen[]>(() => {
     const alike = own.every(({ request, method }) => isSame(request, first?.request) && method === fitter.toUpperCase());
     const brought = own.filter(({ entry }) => !isSample(entry)).length;
     if (!first || !alike || (brought > 0 && brought < others)) return [];
-    const parts = own.flatMap(({ entry: { origin } }) => (origin.kind === "sample" ? [origin.part] : []));
-    return [{ request: first.request, parts, brought: brought > 0 }];
+    const samples = own.flatMap(({ entry }) => (isSample(entry) ? [entry.id] : []));
+    return [{ request: first.request, samples, brought: brought > 0 }];
   });
 });
 
@@ -49,8 +49,8 @@ function isSame(a: FitRequest, b: FitRequest | undefined): boolean {
 }
 
 const line = computed(() => {
-  const samples = entries.value.flatMap(({ origin }): SampleOnScreen[] =>
-    origin.kind === "sample" ? [{ part: origin.part, options: origin.options }] : [],
+  const samples = entries.value.flatMap(({ id, origin }): SampleOnScreen[] =>
+    origin.kind === "sample" ? [{ name: id, part: origin.part, options: origin.options }] : [],
   );
   const paths = [...brought.value.keys()];
   return commandLine({ paths, samples, fits: repeatable.value, corrections: overrides.value, protocol: protocol.value });

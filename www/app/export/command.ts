@@ -5,6 +5,8 @@ import type { Override, Protocol, SampleOptions } from "../engine/contract";
 
 /** A sample on the page, with the imperfect submission it comes with. */
 export interface SampleOnScreen {
+  /** What it is called on the page, and its folder in the line. */
+  readonly name: string;
   readonly part: string;
   readonly options: SampleOptions;
 }
@@ -12,8 +14,8 @@ export interface SampleOnScreen {
 /** A submission that was fitted here, alike for several models. */
 export interface FitOnScreen {
   readonly request: FitRequest;
-  /** The samples that were fitted, by their parts. */
-  readonly parts: readonly string[];
+  /** The samples that were fitted, by their names. */
+  readonly samples: readonly string[];
   /** Whether every model that was brought was fitted so. */
   readonly brought: boolean;
 }
@@ -30,15 +32,14 @@ export interface OnScreen {
 
 /** The line, to be run where the dropped files and folders are; undefined where there is nothing to repeat. */
 export function commandLine({ paths, samples, fits, corrections, protocol }: OnScreen): string | undefined {
-  const made = samples.map(({ part, options }) => [part, generate(part, options)] as const);
-  const places = [...made.map(([folder]) => folder), ...roots(paths)];
+  const places = [...samples.map(({ name }) => name), ...roots(paths)];
   if (places.length === 0) return undefined;
   const choice = protocol === "definition" ? [] : ["--protocol", protocol];
   const corrected = paths.flatMap((file) => correction(file, corrections[file] ?? {}));
-  const fitted = fits.map(({ request, parts, brought }) => fit(request, [...parts, ...(brought ? roots(paths) : [])]));
+  const fitted = fits.map(({ request, samples: own, brought }) => fit(request, [...own, ...(brought ? roots(paths) : [])]));
   const all = [...places, ...(fits.length > 0 ? [FITS] : [])];
   const score = ["fit4cad", "score", ...all.map(path), ...choice, ...corrected].join(" ");
-  return [...made.map(([, line]) => line), ...fitted, score].join(" && ");
+  return [...samples.map(generate), ...fitted, score].join(" && ");
 }
 
 /** The folder that fits are written to. */
@@ -49,12 +50,13 @@ function fit({ method, parameters, seed }: FitRequest, places: readonly string[]
   return ["fit4cad", "fit", ...places.map(path), "--method", method, ...given, "--seed", String(seed), "--out", FITS].join(" ");
 }
 
-function generate(part: string, options: SampleOptions): string {
+function generate({ name, part, options }: SampleOnScreen): string {
   const given = (["seed", "spacing", "noise", "outliers", "missing"] as const).flatMap((option) => {
     const value = options[option];
     return value === undefined ? [] : [`--${option}`, String(value)];
   });
-  return ["fit4cad", "generate", quoted(part), ...given, "--imperfect", "--out", path(part)].join(" ");
+  const called = name === part ? [] : ["--name", quoted(name)];
+  return ["fit4cad", "generate", quoted(part), ...given, "--imperfect", ...called, "--out", path(name)].join(" ");
 }
 
 function correction(file: string, override: Override): string[] {

@@ -90,7 +90,8 @@ function Uncounted(): JSX.Element | null {
   return (
     <details class="uncounted">
       <summary>
-        <Icon name="error" /> {format.plural(lacking.length, "model")} of {format.integer(models.value.length)} could not be counted and {lacking.length === 1 ? "is" : "are"} left out: why
+        <Icon name="error" /> Why {format.plural(lacking.length, "model")} of {format.integer(models.value.length)} could not be counted and{" "}
+        {lacking.length === 1 ? "is" : "are"} left out
       </summary>
       <ul>
         {lacking.map(({ id, reason }) => (
