@@ -50,6 +50,8 @@ test("a cut takes points away and the truth follows", () => {
   );
   assert.deepEqual(typesOf(bare), Array(6).fill("Plane"));
   assert.throws(() => model.withoutBall(Float64Array.of(1), 1), /centre is made of 3 numbers/);
+  const above = Float64Array.of(0, 0, 0, 0, 0, 0, 1, Infinity, Infinity);
+  assert.throws(() => model.withoutLasso(above, Float64Array.of(0, 0, 1, 0, 1, 1, 0)), /every corner is made of 2 numbers/);
 });
 
 test("a curve on the screen cuts what lies behind it", () => {

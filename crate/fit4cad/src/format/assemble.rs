@@ -119,7 +119,7 @@ impl<'a> FormColumn<'a> {
                         let primitives = lists.content.len();
                         findings.add_whole(
                             &UNMATCHED,
-                            format!("{found}; {} has {primitives} primitives", lists.file),
+                            format!("{found}; primitives in {}: {primitives}", lists.file),
                         );
                         Vec::new()
                     }
