@@ -5,7 +5,7 @@
 //! the playground that is not presentation. It is pure: it knows nothing of JavaScript, threads,
 //! files on disk or the clock, so the same code runs natively, in a browser and under Node.
 //!
-//! Data flows one way: text files → [`format`] → [`model::Model`] → [`fit`] (makes a
+//! Data flows one way: text files → [`mod@format`] → [`model::Model`] → [`fit`] (makes a
 //! [`model::Submission`]) → [`metrics`] (makes a report). [`sample`] makes models with known truth,
 //! [`audit`] checks one, [`statistics`] counts what a set of models holds.
 

@@ -18,7 +18,7 @@ pub struct Block {
     pub operation: Operation,
     /// The shape.
     pub shape: Shape,
-    /// Its sizes, in the order of [`ShapeInfo::sizes`].
+    /// Its sizes, in the order of [`ShapeInfo::sizes`](super::ShapeInfo::sizes).
     pub sizes: Vec<f64>,
     /// Where its centre is.
     pub position: [f64; 3],
