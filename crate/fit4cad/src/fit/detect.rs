@@ -128,7 +128,7 @@ pub(super) fn is_worth_keeping(search: &mut Search<'_>, candidate: &Candidate) -
     let size = candidate.support.len();
     if search.scale.is_clean() {
         let is_broad = size > SMALL || search.thickness(candidate) >= INSIDE;
-        return is_broad && is_evident(search, candidate);
+        return is_broad && !search.is_row(candidate) && is_evident(search, candidate);
     }
     let smallest = Parameters::count(search.parameters.smallest);
     let redundant = NOISY * least_squares::degrees_of_freedom(candidate.surface.kind());

@@ -4,7 +4,9 @@
 //! shared: a [`Search`] holds the cloud with its neighbours, scale and what is explained so far;
 //! a method hands it surfaces that might be there ([`Search::grow`] polishes one by least squares
 //! and grows its patch into a [`Candidate`], [`Search::best`] lets candidates compete,
-//! [`Search::accept`] keeps the winner); then [`stages`] prune, label and split into patches.
+//! [`Search::accept`] keeps the winner); [`thin`] proposes surfaces for faces that only their
+//! neighbours tell, and [`contest`] says what shows that a candidate is there; then [`stages`] prune,
+//! label and split into patches.
 //!
 //! ```text
 //! cloud → Search → hough::find or growing::find → specks → prune → label → patches → Segmentation

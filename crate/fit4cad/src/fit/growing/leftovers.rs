@@ -32,7 +32,7 @@ const VAIN: usize = 2000;
 /// too small or too flat to have one of their own.
 pub fn coaxial(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     for size in COAXIAL {
-        observer.progress(Stage::Find, 0.8)?;
+        observer.progress(Stage::Find, 0.9)?;
         let axes = known_axes(search);
         let mut order: Vec<u32> = (0..search.cloud.len() as u32)
             .filter(|&index| !search.is_explained(index))
@@ -68,7 +68,7 @@ pub fn thin_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Resul
         for size in 0..thin::SIZES.len() {
             let done = (pass * thin::SIZES.len() + size) as f64;
             let all = (thin::PASSES * thin::SIZES.len()) as f64;
-            observer.progress(Stage::Find, 0.8 + 0.2 * done / all)?;
+            observer.progress(Stage::Find, 0.92 + 0.08 * done / all)?;
             let proposals = proposer.proposals(search, &borders, size);
             let candidates = grown(search, &proposals);
             let evidence = &mut Evidence::Borders(&mut borders);

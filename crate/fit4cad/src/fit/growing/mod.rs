@@ -167,3 +167,6 @@ fn simple_surface(
     }
     search.best(candidates)
 }
+
+#[cfg(test)]
+mod tests;

@@ -147,44 +147,4 @@ fn cone(set: &[Oriented; 3]) -> Option<Surface> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::surface::SurfaceType;
-
-    fn found(kind: SurfaceType, set: &[Oriented; 3]) -> Surface {
-        through(set).into_iter().find(|s| s.kind() == kind).unwrap()
-    }
-
-    /// Points of a surface near the given ones, with exact normals.
-    fn on(surface: &Surface) -> [Oriented; 3] {
-        [[1.0, 0.2, 0.3], [0.9, -0.5, 0.6], [0.7, 0.6, -0.2]].map(|[x, y, z]| {
-            let foot = surface.foot(&Point::new(x, y, z));
-            (foot, surface.normal(&foot).into_inner())
-        })
-    }
-
-    #[test]
-    fn minimal_sets_with_exact_normals_give_exact_surfaces() {
-        let axis = Vector::new(0.2, -0.1, 1.0);
-        let centre = Point::new(0.1, 0.2, -0.4);
-        for surface in [
-            Surface::Plane(Plane::new(centre, axis)),
-            Surface::Sphere(Sphere::new(centre, 1.3)),
-            Surface::Cylinder(Cylinder::new(centre, axis, 0.8)),
-            Surface::Cone(Cone::new(Point::new(0.1, 0.2, -3.0), axis, 0.3)),
-        ] {
-            let found = found(surface.kind(), &on(&surface));
-            for point in [Point::new(1.0, 2.0, 0.5), Point::new(-0.5, 1.5, 0.7)] {
-                let difference = found.distance(&point) - surface.distance(&point);
-                assert!(difference.abs() < 1e-12, "{surface:?} {found:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_rarer_surface_takes_more_draws() {
-        assert_eq!(draws_needed(5, 5), 1);
-        assert_eq!(draws_needed(100, 5), 59);
-        assert_eq!(draws_needed(1_000_000, 5), MOST_DRAWS);
-    }
-}
+mod tests;

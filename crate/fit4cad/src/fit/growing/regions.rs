@@ -51,23 +51,4 @@ pub fn labels(count: usize, regions: &[Vec<u32>]) -> Vec<u32> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::cloud::Point;
-    use crate::cloud::neighbours::KdTree;
-
-    #[test]
-    fn a_row_of_sharp_points_parts_a_strip_in_two() {
-        let points: Vec<Point> = (0..210)
-            .map(|i| Point::new(f64::from(i % 21), f64::from(i / 21) * 1.01, 0.0))
-            .collect();
-        let tree = KdTree::new(&points);
-        let graph = Neighbourhoods::new(&points, &tree, 16);
-        let order: Vec<u32> = (0..210).collect();
-        let regions = grow(&graph, &order, |i| (9..=11).contains(&(i % 21)));
-        assert_eq!(regions.iter().map(Vec::len).collect::<Vec<_>>(), [90, 90]);
-        let labels = labels(points.len(), &regions);
-        assert_eq!(labels[10], u32::MAX);
-        assert_ne!(labels[0], labels[20]);
-    }
-}
+mod tests;

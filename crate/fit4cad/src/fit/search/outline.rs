@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::Search;
+use crate::cloud::normals::Spread;
 use crate::cloud::{Direction, Point};
 use crate::fit::Candidate;
 use crate::surface::across;
@@ -55,6 +56,22 @@ impl Search<'_> {
         };
         let links: usize = candidate.support.iter().map(|i| near(i).count()).sum();
         links as f64 / candidate.support.len().max(1) as f64
+    }
+
+    /// Whether a patch is hardly more than a straight row of points, through which too many surfaces
+    /// pass: less than a fourth of its points lie off its middle line.
+    pub fn is_row(&self, candidate: &Candidate) -> bool {
+        /// Distance from the middle line, in spacings.
+        const BESIDE: f64 = 0.3;
+        let points = self.points(&candidate.support);
+        let Some(spread) = Spread::of(points.iter()) else {
+            return true;
+        };
+        let beside = |point: &&Point| {
+            let offset = *point - spread.centroid;
+            offset.cross(&spread.directions[2]).norm() >= BESIDE * self.scale.spacing
+        };
+        4 * points.iter().filter(beside).count() < points.len()
     }
 
     /// The fuzzy-border test: whether the points just outside a patch nearly lie on its surface,

@@ -149,6 +149,23 @@ fn a_row_is_thinner_than_a_strip_and_a_strip_than_a_patch() {
     assert!((7.5..=8.0).contains(&patch), "{patch}");
 }
 
+#[test]
+fn a_line_and_a_point_beside_it_are_a_row_and_two_lines_are_none() {
+    let cloud = corner();
+    let search = search(&cloud);
+    let is_row = |holds: fn(&Point) -> bool| {
+        search.is_row(&Candidate {
+            surface: top(),
+            support: indices(&cloud, holds),
+            error: 0.0,
+        })
+    };
+    assert!(is_row(
+        |p| p.z == 0.0 && (p.x == 10.0 || p.x == 11.0 && p.y == 4.0)
+    ));
+    assert!(!is_row(|p| p.z == 0.0 && (p.x == 10.0 || p.x == 11.0)));
+}
+
 /// A plane and a vast sphere through the same points: the plane is simpler. With a point more the
 /// sphere is worth nearly as much still; with a tenth more it wins.
 #[test]

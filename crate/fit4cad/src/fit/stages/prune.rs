@@ -3,8 +3,6 @@
 use super::super::Candidate;
 use super::super::least_squares::{self, Loss, degrees_of_freedom};
 use super::super::search::{EXACT, Search};
-use crate::cloud::Point;
-use crate::cloud::normals::Spread;
 use crate::surface::Surface;
 
 /// Share of the points of two patches on one surface from which on it is the surface of both.
@@ -60,20 +58,9 @@ fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
     {
         return false;
     }
-    let points = search.points(&candidate.support);
-    let Some(spread) = Spread::of(points.iter()) else {
-        return false;
-    };
-    let beside = |point: &&Point| {
-        let offset = *point - spread.centroid;
-        offset.cross(&spread.directions[2]).norm() >= BESIDE * search.scale.spacing
-    };
-    4 * points.iter().filter(beside).count() >= points.len()
+    !search.is_row(candidate)
 }
 
-/// Distance from the middle line of a patch, in spacings, beyond which a fourth of its points lie if
-/// it is more than a row.
-const BESIDE: f64 = 0.3;
 /// Points beyond those that any surface of the family passes through.
 const SPARE: usize = 2;
 
