@@ -8,7 +8,7 @@
 //! is left over is mostly thin faces, which only what lies beside them tells ([`leftovers`]).
 //! Every step is a function of its own whose result goes to the trace.
 
-mod leftovers;
+pub mod leftovers;
 pub mod ransac;
 pub mod regions;
 pub mod slippage;
