@@ -26,7 +26,7 @@ impl Evidence<'_> {
     fn suffices(&self, search: &mut Search<'_>, contender: &Contender) -> bool {
         let candidate = &contender.candidate;
         let smallest = Parameters::count(search.parameters.smallest);
-        let redundant = degrees_of_freedom(candidate.surface.kind()) + 3;
+        let redundant = degrees_of_freedom(candidate.surface.kind()) + search.scale.redundancy();
         let is_clean = search.scale.is_clean();
         // Small accidents fill the tolerance; true faces are far more exact.
         let is_exact = !is_clean
@@ -43,7 +43,11 @@ impl Evidence<'_> {
                     .collect();
                 // Within noise a band along the edge of a face lies on many surfaces.
                 let is_new = is_clean || 2 * own.len() >= candidate.support.len();
-                let needed = if is_clean { 3 } else { NOISY_OWN };
+                let needed = if is_clean {
+                    search.scale.redundancy()
+                } else {
+                    NOISY_OWN
+                };
                 is_new
                     && own.len() >= smallest.max(needed)
                     && !is_curve(&search.points(&own), 2.0 * search.scale.tolerance)

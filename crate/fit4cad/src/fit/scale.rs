@@ -22,13 +22,15 @@ pub struct Scale {
 /// Least noise, in diagonals. The benchmark's points lie on their surfaces to 1e-7 of the diagonal or
 /// better; up to this nothing changes, and accidents within it are rare.
 const FLOOR: f64 = 7.5e-7;
-/// Tolerance in standard deviations where the noise is small against the spacing: hardly a point in
-/// ten thousand lies beyond it, so that a face is found whole.
+/// Tolerance in standard deviations where the noise is small against the spacing: of Gaussian points
+/// less than one in ten thousand lies beyond it, so that a face is found whole.
 const SIGMAS: f64 = 4.0;
 /// Tolerance, in spacings, up to which a handful of points on one surface are no accident.
-const CLEAN: f64 = 0.01;
-/// [`SIGMAS`] where it is not, so that a wider tolerance would take in points of other faces: 0.5 % of Gaussian
-/// points lie beyond it.
+const CLEAN: f64 = 0.1;
+/// And up to which rows of points one spacing apart are told from each other and from a curve.
+const ROWS: f64 = 0.01;
+/// Tolerance in standard deviations where it is more, so that a wider one would take in points of other
+/// faces: one in two hundred lies beyond it.
 const NOISY_SIGMAS: f64 = 2.8;
 
 /// Error of a small face, in standard deviations: that of nine points exceeds it in one of a thousand.
@@ -39,17 +41,18 @@ const FADE: f64 = 3.6e-5;
 /// And in tolerances, where there is noise.
 const FADING: f64 = 2.0;
 
+/// Logarithm of the chance that a surface is an accident.
+const ACCIDENT: f64 = -18.0;
+/// [`Scale::redundancy`] where points are exact.
+const EXACT_SPARE: usize = 3;
+
 impl Scale {
     /// Measures a cloud. `tolerance` in diagonals overrides the estimate where it is positive.
     pub fn measure(cloud: &Cloud, graph: &Neighbourhoods, tolerance: f64) -> Self {
         let diagonal = cloud.bounds().diagonal();
         let spacing = spacing(cloud.points(), graph);
         let noise = noise::noise(cloud.points(), graph, spacing, FLOOR * diagonal);
-        let sigmas = if SIGMAS * noise < CLEAN * spacing {
-            SIGMAS
-        } else {
-            NOISY_SIGMAS
-        };
+        let estimated = (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing));
         Self {
             diagonal,
             spacing,
@@ -57,7 +60,7 @@ impl Scale {
             tolerance: if tolerance > 0.0 {
                 tolerance * diagonal
             } else {
-                sigmas * noise
+                estimated
             },
         }
     }
@@ -81,6 +84,26 @@ impl Scale {
     /// Farthest that points just outside a patch may lie from its surface to say that it fades out.
     pub fn fade(&self) -> f64 {
         (FADE * self.diagonal).max(FADING * self.tolerance)
+    }
+
+    /// Points beyond the degrees of freedom of a surface that show it to be no accident.
+    ///
+    /// A point of another surface is within the tolerance of this one with a chance p of about the
+    /// share of the spacing that the tolerance takes up on both sides; the chance of n such points,
+    /// pⁿ, is to be below a bound. Three do where points are exact.
+    pub fn redundancy(&self) -> usize {
+        if !self.has_noise() {
+            return EXACT_SPARE;
+        }
+        let share = (2.0 * self.tolerance / self.spacing).clamp(1e-9, 0.5);
+        // A small number: the logarithm is at least that of two.
+        (ACCIDENT / share.ln()).ceil() as usize
+    }
+
+    /// Whether faces without an inside can be told: rows of points are distinct only where the
+    /// tolerance is far below their distance.
+    pub fn shows_rows(&self) -> bool {
+        self.tolerance < ROWS * self.spacing
     }
 
     /// Whether the points are so exact that a handful of them on one surface is no accident.

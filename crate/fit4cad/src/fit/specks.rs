@@ -18,7 +18,7 @@ const GAP: f64 = 1.7;
 
 /// Finds the specks of a clean cloud among its unexplained points. O(n log n).
 pub fn specks(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
-    if !search.scale.is_clean() {
+    if !search.scale.shows_rows() {
         return Ok(());
     }
     for (place, middle) in (0u32..).take(search.cloud.len()).enumerate() {

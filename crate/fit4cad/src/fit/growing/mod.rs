@@ -64,6 +64,8 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
     }
     if search.scale.is_clean() {
         leftovers::coaxial(search, observer)?;
+    }
+    if search.scale.shows_rows() {
         leftovers::thin_faces(search, observer)?;
     }
     Ok(())

@@ -25,6 +25,8 @@ const FIRST_VOTERS: u32 = 6000;
 /// Neighbourhoods that vote in one round. A face of a good size gets several votes, and a small
 /// batch wastes few on what the round's winners explain.
 const BATCH: usize = 48;
+/// Rounds, in batches of votes, over which votes that no winner explained are counted again.
+const HEARD: usize = 4;
 /// Points blocked around a seed of a mixed neighbourhood that leads nowhere.
 const BLOCK: usize = 8;
 /// The families that closed forms start well; a torus costs far more to try.
@@ -163,6 +165,9 @@ impl Work<'_> {
                 }
             })?;
         }
+        if !search.scale.shows_rows() {
+            return self.recorder.progress(Stage::Find, 1.0);
+        }
         let mut borders = Borders::of(search);
         let mut proposer = Proposer::default();
         for _ in 0..thin::PASSES {
@@ -223,8 +228,16 @@ impl Work<'_> {
             fresh += 1;
             if fresh == pass.batch {
                 // Votes that no winner explained stay and are counted again with the next.
-                round(search, self, &votes, &mut Evidence::Own);
+                let accepted = round(search, self, &votes, &mut Evidence::Own);
+                // Within noise every neighbourhood of a free-form region has a surface to vote for.
+                if accepted == 0 && search.scale.has_noise() {
+                    for vote in &votes {
+                        block(search.graph.of(vote.point), &mut blocked);
+                    }
+                }
                 votes.retain(|vote| !search.is_explained(vote.point));
+                let oldest = votes.len().saturating_sub(HEARD * pass.batch);
+                votes.drain(..oldest);
                 fresh = 0;
                 let [from, to] = pass.progress;
                 let share = turn as f64 / order.len() as f64;

@@ -155,7 +155,7 @@ fn noise_that_is_large_against_the_spacing_has_a_tolerance_of_fewer_deviations()
     for (points, sigma) in [
         (plate(), 0.05),
         (plate(), 0.2),
-        (ball(), 0.02),
+        (ball(), 0.03),
         (ball(), 0.1),
     ] {
         for seed in 0..3 {
@@ -165,6 +165,21 @@ fn noise_that_is_large_against_the_spacing_has_a_tolerance_of_fewer_deviations()
             assert_eq!(scale.tolerance, NOISY_SIGMAS * scale.noise);
             assert!(!scale.is_clean());
         }
+    }
+}
+
+#[test]
+fn the_tolerance_grows_with_the_noise_without_a_step() {
+    let scales = (0..24).map(|i| {
+        let sigma = 1e-6 * 10f64.powf(f64::from(i) / 6.0);
+        measured(shaken(&ball(), sigma * 34.6, 4), 0.0)
+    });
+    let scales: Vec<Scale> = scales.collect();
+    for pair in scales.windows(2) {
+        let ratio = pair[1].tolerance / pair[0].tolerance;
+        assert!((0.95..1.8).contains(&ratio), "{pair:?}");
+        assert!(pair[1].redundancy() >= pair[0].redundancy());
+        assert!(pair[0].is_clean() || !pair[1].is_clean());
     }
 }
 

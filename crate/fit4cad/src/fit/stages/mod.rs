@@ -25,7 +25,7 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
     observer.progress(Stage::Patches, 0.0)?;
     let smallest = Parameters::count(search.parameters.smallest);
     // Splinters of a noisy face are no primitives.
-    let smallest = if search.scale.is_clean() {
+    let smallest = if search.scale.shows_rows() {
         smallest
     } else {
         smallest.max(SPLINTER)
