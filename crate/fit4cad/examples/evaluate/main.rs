@@ -154,7 +154,13 @@ fn models(options: &Options) -> Result<Models, Box<dyn Error>> {
     if options.folder == Path::new("parts") {
         let parts = sample::parts().iter();
         let generated = parts.map(|part| Ok(sample::generate(part.name, &Default::default())?));
-        return Ok(Box::new(generated.chain(comb::combs().into_iter().map(Ok))));
+        let only = options.only.clone();
+        let is_wanted = move |model: &Result<Model, _>| {
+            let name = model.as_ref().map_or("", |model| &model.name);
+            only.is_empty() || only.iter().any(|only| only == name)
+        };
+        let combs = comb::combs().into_iter().map(Ok);
+        return Ok(Box::new(generated.chain(combs).filter(is_wanted)));
     }
     let folder = options.folder.clone();
     let names = names(options)?.into_iter();

@@ -21,6 +21,7 @@ pub mod hough;
 pub mod least_squares;
 pub mod local;
 pub mod parameters;
+pub mod profile;
 pub mod progress;
 pub mod pure;
 pub mod quadric;

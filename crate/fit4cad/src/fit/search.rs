@@ -336,6 +336,17 @@ impl<'a> Search<'a> {
         self.accepted.push(candidate);
     }
 
+    /// Takes back the accepted candidates that are not to be kept, by their positions. O(n).
+    pub fn retain(&mut self, keep: impl Fn(usize, &Candidate) -> bool) {
+        let accepted = std::mem::take(&mut self.accepted);
+        self.holder.fill(u32::MAX);
+        for (place, candidate) in accepted.into_iter().enumerate() {
+            if keep(place, &candidate) {
+                self.accept(candidate);
+            }
+        }
+    }
+
     /// Ends the search with what was accepted.
     pub fn into_accepted(self) -> Vec<Candidate> {
         self.accepted

@@ -13,7 +13,7 @@ use crate::fit::thin::axis::known_axes;
 use crate::fit::thin::borders::Borders;
 use crate::fit::thin::coaxial::{coaxial, mixed_coaxial};
 use crate::fit::thin::{self, Proposer};
-use crate::fit::{Cancelled, Observer, Search, Stage};
+use crate::fit::{Cancelled, Observer, Search, Stage, profile};
 use crate::surface::SurfaceType;
 
 /// Width of a direction cell in radians.
@@ -168,7 +168,11 @@ impl Work<'_> {
         if !search.scale.shows_rows() {
             return self.recorder.progress(Stage::Find, 1.0);
         }
+        let directions = recurring_directions(search, self.spaces.directions());
+        let recorder = &mut self.recorder;
+        let told = profile::extruded(search, &directions, &mut |face| recorder.accepted(face));
         let mut borders = Borders::of(search);
+        borders.close(&told);
         let mut proposer = Proposer::default();
         for _ in 0..thin::PASSES {
             if self.borders(search, &mut borders, &mut proposer) == 0 {

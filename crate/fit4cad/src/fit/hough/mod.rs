@@ -20,9 +20,9 @@
 //! ```
 //!
 //! On clouds without noise the search goes from neighbourhoods that cannot be wrong (all points on
-//! one plane, on one quadric, on one curve turned about a known axis) to those that may be mixed,
-//! and last to rings and chamfers with no interior points, which only the open borders of their
-//! neighbours show.
+//! one plane, on one quadric, on one curve turned about a known axis) to those that may be mixed, to
+//! the profiles of narrow extruded faces as wholes ([`profile`](super::profile)), and last to rings
+//! and chamfers with no interior points, which only the open borders of their neighbours show.
 
 pub mod accumulator;
 pub mod directions;

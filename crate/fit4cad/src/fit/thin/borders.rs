@@ -285,6 +285,14 @@ impl Borders {
         self.open(surface, candidate, border);
     }
 
+    /// Takes as known all faces at some points, marked for each point of the cloud: a border of theirs
+    /// that seems open only has its next points far away. O(n).
+    pub fn close(&mut self, told: &[bool]) {
+        for (state, _) in self.state.iter_mut().zip(told).filter(|(_, told)| **told) {
+            *state = State::Settled;
+        }
+    }
+
     /// Whether a point is unexplained or on an open border.
     pub fn is_free(&self, index: u32) -> bool {
         self.state[index as usize] != State::Settled
@@ -342,7 +350,7 @@ impl Borders {
 
 /// How exact a thin face of a cloud must be. Of the narrow pieces that pass within the tolerance
 /// through a few rows of points, true faces are as exact as all the others of their cloud.
-fn exact(search: &Search<'_>) -> f64 {
+pub fn exact(search: &Search<'_>) -> f64 {
     let mut errors: Vec<f64> = search.accepted().iter().map(|face| face.error).collect();
     errors.sort_unstable_by(f64::total_cmp);
     let median = errors.get(errors.len() / 2).copied().unwrap_or(0.0);

@@ -124,7 +124,7 @@ fn through(a: Place, b: Place, c: Place, tolerance: f64) -> Curve {
 }
 
 /// The circle through three places; `None` where they are on one line.
-fn circumcircle(a: Place, b: Place, c: Place) -> Option<Curve> {
+pub fn circumcircle(a: Place, b: Place, c: Place) -> Option<Curve> {
     let (bx, by) = (b[0] - a[0], b[1] - a[1]);
     let (cx, cy) = (c[0] - a[0], c[1] - a[1]);
     let (bb, cc) = (bx * bx + by * by, cx * cx + cy * cy);

@@ -1,0 +1,373 @@
+//! The faces of the profiles along one direction.
+
+use super::chains::{Chain, chains};
+use super::partition::{Piece, partition};
+use super::recurring::Recurring;
+use super::rulings::{Plan, Ruling, is_empty_between, rulings};
+use crate::cloud::Direction;
+use crate::fit::least_squares::{self, Loss};
+use crate::fit::thin::borders;
+use crate::fit::thin::profile::{Curve, Place};
+use crate::fit::{Candidate, Search};
+use crate::surface::{Cylinder, Plane, Surface};
+
+/// Longest step from one ruling of a profile to the next, in spacings.
+const REACH: f64 = 6.0;
+/// Sine of the angle below which two directions are one.
+const SAME: f64 = 1e-4;
+/// Share of a surface's points on rulings from which on it has nothing else.
+const ROWS_ONLY: f64 = 0.9;
+/// Steps from ruling to ruling of an arc that is no accident.
+const SURE_ARC: usize = 4;
+/// Pieces in a row that prove nothing by themselves, of which the known faces on both sides prove
+/// that they are there. A free-form profile is a long row of such pieces.
+const UNSURE: usize = 3;
+
+/// The profiles of a cloud along a direction.
+pub struct Section {
+    plan: Plan,
+    rulings: Vec<Ruling>,
+    /// The ruling of each point of the cloud.
+    ruling: Vec<u32>,
+    /// How many sides of each ruling belong to accepted faces that are more than rulings: none, one
+    /// where such a face ends, two within.
+    known: Vec<u8>,
+    /// The accepted faces that end at each ruling, by their positions.
+    beside: Vec<Vec<usize>>,
+    chains: Vec<Chain>,
+}
+
+/// An extruded face.
+pub struct Face {
+    rulings: Vec<usize>,
+    candidate: Candidate,
+    is_sure: bool,
+}
+
+impl Section {
+    /// Looks for rulings along a direction. O(n log n).
+    pub fn of(search: &Search<'_>, direction: Direction) -> Self {
+        let plan = Plan::new(search.cloud.bounds().min, direction);
+        let rulings = rulings(search, &plan);
+        let mut ruling = vec![u32::MAX; search.cloud.len()];
+        for (number, row) in (0u32..).zip(&rulings) {
+            for &index in &row.points {
+                ruling[index as usize] = number;
+            }
+        }
+        Self {
+            plan,
+            known: vec![0; rulings.len()],
+            beside: vec![Vec::new(); rulings.len()],
+            rulings,
+            ruling,
+            chains: Vec::new(),
+        }
+    }
+
+    /// How many points are on rulings.
+    pub fn size(&self) -> usize {
+        self.rulings.iter().map(|row| row.points.len()).sum()
+    }
+
+    /// Links the rulings of which something is still to be told.
+    pub fn link(&mut self, search: &Search<'_>, told: &[bool]) {
+        self.look_up(search, told);
+        let capacity: Vec<u8> = self.known.iter().map(|&known| 2 - known.min(2)).collect();
+        let reach = REACH * search.scale.spacing;
+        // A face does not go on in its own plane beyond its border, across a slot for instance.
+        let allows = |from: usize, to: usize| {
+            let to = self.plan.point(self.rulings[to].place);
+            self.beside[from]
+                .iter()
+                .all(|&face| search.accepted()[face].surface.distance(&to) > search.scale.tolerance)
+        };
+        self.chains = chains(&self.rulings, &capacity, reach, allows);
+    }
+
+    /// Whether a surface is extruded along the direction.
+    fn is_along(&self, surface: &Surface) -> bool {
+        match surface {
+            Surface::Plane(plane) => plane.normal.dot(&self.plan.direction).abs() < SAME,
+            Surface::Cylinder(cylinder) => cylinder.axis.cross(&self.plan.direction).norm() < SAME,
+            _ => false,
+        }
+    }
+
+    /// How many points of a candidate are on each ruling that has any.
+    fn rows(&self, candidate: &Candidate) -> Vec<(usize, usize)> {
+        let mut rows: Vec<u32> = candidate
+            .support
+            .iter()
+            .map(|&index| self.ruling[index as usize])
+            .filter(|&row| row != u32::MAX)
+            .collect();
+        rows.sort_unstable();
+        rows.chunk_by(|a, b| a == b)
+            .map(|run| (run[0] as usize, run.len()))
+            .collect()
+    }
+
+    /// Whether all of a candidate is rulings.
+    fn is_rows_only(candidate: &Candidate, rows: &[(usize, usize)]) -> bool {
+        let on: usize = rows.iter().map(|(_, count)| count).sum();
+        on as f64 >= ROWS_ONLY * candidate.support.len() as f64
+    }
+
+    /// Finds what is known at each ruling.
+    fn look_up(&mut self, search: &Search<'_>, told: &[bool]) {
+        // How many sides of each point are explained.
+        let mut sides: Vec<u8> = told.iter().map(|&told| if told { 2 } else { 0 }).collect();
+        for (number, candidate) in search.accepted().iter().enumerate() {
+            let rows = self.rows(candidate);
+            let is_along = self.is_along(&candidate.surface);
+            if is_along && Self::is_rows_only(candidate, &rows) {
+                continue;
+            }
+            let is_on = |index: &u32| candidate.support.binary_search(index).is_ok();
+            let on_rows = |index: &&u32| self.ruling[**index as usize] != u32::MAX;
+            for &index in candidate.support.iter().filter(on_rows) {
+                let is_within = search.graph.of(index).iter().take(8).all(is_on);
+                let side = &mut sides[index as usize];
+                *side = side.saturating_add(if is_within { 2 } else { 1 });
+            }
+            for (row, count) in rows {
+                if is_along && 2 * count > self.rulings[row].points.len() {
+                    self.beside[row].push(number);
+                }
+            }
+        }
+        for (row, known) in self.rulings.iter().zip(&mut self.known) {
+            let mut sides: Vec<u8> = row.points.iter().map(|&it| sides[it as usize]).collect();
+            sides.sort_unstable();
+            *known = sides[sides.len() / 2];
+        }
+    }
+
+    /// The faces that the profiles prove.
+    pub fn faces(&self, search: &mut Search<'_>) -> Vec<Face> {
+        let exact = borders::exact(search);
+        let recurring = self.recurring(search, exact);
+        let mut proved = Vec::new();
+        for chain in &self.chains {
+            let pieces = self.partition(chain, exact, &recurring).into_iter();
+            let pieces = pieces.map(|piece| self.face(search, chain, &piece, exact));
+            let faces: Vec<Option<Face>> = pieces.collect();
+            let has_sure = faces.iter().flatten().any(|face| face.is_sure);
+            let mut run: Vec<Face> = Vec::new();
+            // Whether what comes before the run is known.
+            let mut anchored = self.is_end_known(chain, 0);
+            for face in faces {
+                match face {
+                    Some(face) if face.is_sure => {
+                        if anchored && run.len() <= UNSURE {
+                            proved.append(&mut run);
+                        }
+                        run.clear();
+                        proved.push(face);
+                        anchored = true;
+                    }
+                    Some(face) if has_sure || self.ends_at_faces(search, &face) => run.push(face),
+                    _ => {
+                        run.clear();
+                        anchored = false;
+                    }
+                }
+            }
+            let end_known = self.is_end_known(chain, chain.rulings.len().saturating_sub(1));
+            if anchored && run.len() <= UNSURE && end_known {
+                proved.append(&mut run);
+            }
+        }
+        proved
+    }
+
+    /// Whether a known face goes on from an end of a chain.
+    fn is_end_known(&self, chain: &Chain, end: usize) -> bool {
+        !chain.is_closed
+            && chain
+                .rulings
+                .get(end)
+                .is_some_and(|&row| self.known[row] > 0)
+    }
+
+    fn partition(&self, chain: &Chain, exact: f64, recurring: &Recurring) -> Vec<Piece> {
+        let rulings = chain.rulings.iter();
+        let places: Vec<Place> = rulings.map(|&it| self.rulings[it].place).collect();
+        partition(&places, exact, recurring)
+    }
+
+    /// What recurs: the circles of accepted cylinders that are more than rulings, and of arcs with more
+    /// rulings than any circle is on.
+    fn recurring(&self, search: &Search<'_>, exact: f64) -> Recurring {
+        let mut sure: Vec<Curve> = Vec::new();
+        for candidate in search.accepted() {
+            if let Surface::Cylinder(cylinder) = &candidate.surface
+                && self.is_along(&candidate.surface)
+                && !Self::is_rows_only(candidate, &self.rows(candidate))
+            {
+                let centre = self.plan.place(&cylinder.centre);
+                sure.push(Curve::Circle(centre, cylinder.radius));
+            }
+        }
+        for chain in &self.chains {
+            let pieces = self
+                .partition(chain, exact, &Recurring::default())
+                .into_iter();
+            let long = pieces.filter(|piece| piece.ends[1] - piece.ends[0] >= SURE_ARC);
+            sure.extend(long.map(|piece| piece.curve));
+        }
+        let linked = self.chains.iter().flat_map(|chain| &chain.rulings);
+        let places: Vec<Place> = linked.map(|&row| self.rulings[row].place).collect();
+        Recurring::of(&sure, &places, search.scale.tolerance)
+    }
+
+    /// The face of a piece; `None` where its points are on no such surface.
+    fn face(
+        &self,
+        search: &mut Search<'_>,
+        chain: &Chain,
+        piece: &Piece,
+        exact: f64,
+    ) -> Option<Face> {
+        let rulings = &chain.rulings[piece.ends[0]..=piece.ends[1]];
+        let at = |place: Place| self.plan.point(place);
+        let direction = self.plan.direction.into_inner();
+        let start = match piece.curve {
+            Curve::Line(a, b) => {
+                Surface::Plane(Plane::new(at(a), (at(b) - at(a)).cross(&direction)))
+            }
+            Curve::Circle(centre, radius) => {
+                Surface::Cylinder(Cylinder::new(at(centre), direction, radius))
+            }
+        };
+        let rows = rulings.iter().flat_map(|&it| &self.rulings[it].points);
+        let mut support: Vec<u32> = rows.copied().collect();
+        support.sort_unstable();
+        support.dedup();
+        let points = search.points(&support);
+        // Two rulings on a recurring circle say no more about it.
+        let is_told = rulings.len() < 3 && matches!(piece.curve, Curve::Circle(..));
+        let surface = if is_told {
+            start
+        } else {
+            least_squares::fit(&start, &points, Loss::Squares)?.surface
+        };
+        let squares: f64 = points
+            .iter()
+            .map(|point| surface.distance(point).powi(2))
+            .sum();
+        let error = (squares / points.len().max(1) as f64).sqrt();
+        let limit = if is_told {
+            search.scale.tolerance
+        } else {
+            exact
+        };
+        if !search.is_plausible(&surface) || error > limit {
+            return None;
+        }
+        let candidate = Candidate {
+            surface,
+            support,
+            error,
+        };
+        let rows: Vec<&Ruling> = rulings.iter().map(|&it| &self.rulings[it]).collect();
+        let needed = match piece.curve {
+            Curve::Line(..) => 3,
+            Curve::Circle(..) => 4,
+        };
+        let is_sure = rulings.len() >= needed && !search.has_fuzzy_border(&candidate);
+        let is_bare = |pair: &[&Ruling]| {
+            is_empty_between(search, &self.plan, &candidate.surface, pair[0], pair[1])
+        };
+        if !is_sure && !rows.windows(2).all(is_bare) {
+            return None;
+        }
+        Some(Face {
+            rulings: rulings.to_vec(),
+            candidate,
+            is_sure,
+        })
+    }
+
+    /// Whether at least half the ends of a face's rulings are on two faces already known: it begins and
+    /// ends where others do.
+    fn ends_at_faces(&self, search: &Search<'_>, face: &Face) -> bool {
+        let holders = |index: u32| {
+            let faces = search.accepted().iter();
+            faces
+                .filter(|face| face.support.binary_search(&index).is_ok())
+                .count()
+        };
+        let rows = face.rulings.iter().map(|&row| &self.rulings[row].points);
+        let ends = rows.flat_map(|points| points.first().into_iter().chain(points.last()));
+        let held = ends.filter(|&&index| holders(index) >= 2).count();
+        held >= face.rulings.len()
+    }
+
+    /// Accepts faces and takes back what was accepted across them.
+    pub fn settle(
+        &self,
+        search: &mut Search<'_>,
+        faces: Vec<Face>,
+        told: &mut [bool],
+        tell: &mut dyn FnMut(&Candidate),
+    ) {
+        // How many sides of each ruling are explained.
+        let mut sides = self.known.clone();
+        let mut is_new = vec![false; self.rulings.len()];
+        for face in &faces {
+            for (position, &row) in face.rulings.iter().enumerate() {
+                is_new[row] = true;
+                let is_end = position == 0 || position + 1 == face.rulings.len();
+                sides[row] = sides[row].saturating_add(if is_end { 1 } else { 2 });
+            }
+        }
+        for (number, row) in self.rulings.iter().enumerate() {
+            if !is_new[number] || sides[number] < 2 {
+                continue;
+            }
+            // At the ends of a ruling yet other faces begin.
+            let within = row.points.len().saturating_sub(1);
+            for &index in row.points.get(1..within).unwrap_or_default() {
+                told[index as usize] = true;
+            }
+        }
+        let mut is_found = vec![false; faces.len()];
+        let mut keep = vec![true; search.accepted().len()];
+        for (place, candidate) in search.accepted().iter().enumerate() {
+            if !self.is_along(&candidate.surface) {
+                continue;
+            }
+            let rows = self.rows(candidate);
+            let is_told = rows.iter().all(|&(row, _)| sides[row] >= 2);
+            if is_told && Self::is_rows_only(candidate, &rows) {
+                // If it is one of the faces, that has its points and none across its border.
+                keep[place] = false;
+                continue;
+            }
+            for (face, is_found) in faces.iter().zip(&mut is_found) {
+                *is_found |= is_same(search, candidate, &face.candidate);
+            }
+        }
+        search.retain(|place, _| keep[place]);
+        for (face, is_found) in faces.into_iter().zip(is_found) {
+            if !is_found {
+                tell(&face.candidate);
+                search.accept(face.candidate);
+            }
+        }
+    }
+}
+
+/// Whether a candidate is on the surface of a face and holds nearly all of it.
+fn is_same(search: &Search<'_>, candidate: &Candidate, face: &Candidate) -> bool {
+    if candidate.surface.kind() != face.surface.kind() {
+        return false;
+    }
+    let held = face.support.iter().filter(|&index| {
+        candidate.support.binary_search(index).is_ok()
+            && candidate.surface.distance(search.point(*index)) <= search.scale.tolerance
+    });
+    held.count() as f64 >= ROWS_ONLY * face.support.len() as f64
+}
