@@ -7,7 +7,7 @@
 
 use super::find::{Pass, Work};
 use super::solutions;
-use crate::fit::{Cancelled, Search, Stage};
+use crate::fit::{Cancelled, Search, Stage, detect};
 use crate::surface::SurfaceType;
 
 /// Radius of curvature, in diagonals, whose sagitta over a neighbourhood should stand out of noise.
@@ -48,8 +48,39 @@ pub fn find(search: &mut Search<'_>, work: &mut Work<'_>) -> Result<(), Cancelle
             }
         })?;
     }
+    remainder(search, work)?;
     work.recorder.progress(Stage::Find, 1.0)
 }
+
+/// What no peak stood out for: faces of few votes, sought one at a time around unexplained points.
+fn remainder(search: &mut Search<'_>, work: &mut Work<'_>) -> Result<(), Cancelled> {
+    let order = detect::shuffled(search);
+    let mut blocked = vec![false; order.len()];
+    let mut patience = PATIENCE;
+    for seed in order {
+        if search.is_explained(seed) || blocked[seed as usize] {
+            continue;
+        }
+        if let Some(candidate) = detect::at(search, seed) {
+            work.recorder.accepted(&candidate);
+            search.accept(candidate);
+            patience = PATIENCE;
+            continue;
+        }
+        patience -= 1;
+        if patience == 0 {
+            break;
+        }
+        for index in search.unexplained_near(seed, SIZES[0]) {
+            blocked[index as usize] = true;
+        }
+        work.recorder.progress(Stage::Find, 0.95)?;
+    }
+    Ok(())
+}
+
+/// Seeds in a row that may lead nowhere.
+const PATIENCE: usize = 100;
 
 /// Points of a neighbourhood wide enough for curvature to stand out of the noise: a sagitta
 /// h²/2r of so many σ over its radius h.
