@@ -5,6 +5,7 @@
 use super::super::Candidate;
 use super::super::axes::direction_of;
 use super::super::contest::{Evidence, accept_winners};
+use super::super::profile;
 use super::super::progress::{Cancelled, Observer, Stage};
 use super::super::search::Search;
 use super::super::thin::axis::known_axes;
@@ -60,7 +61,10 @@ pub fn coaxial(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(
 
 /// Finds thin faces until no pass over the free points finds another.
 pub fn thin_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
+    // Rows of narrow extruded faces first: of these the profile as a whole tells more than any few rows.
+    let told = rows_of_faces(search, observer);
     let mut borders = Borders::of(search);
+    borders.close(&told);
     let mut proposer = Proposer::default();
     for pass in 0..thin::PASSES {
         proposer.directions = recurring(search);
@@ -91,12 +95,28 @@ fn accept(
     let wants_trace = observer.wants_trace();
     accept_winners(search, candidates, evidence, &mut |winner| {
         if wants_trace {
-            observer.trace(Event::Accepted {
-                surface: winner.surface,
-                support: winner.support.clone(),
-            });
+            tell(winner, observer);
         }
     })
+}
+
+/// Decides the extruded faces along the recurring directions by their profiles. Returns of each point
+/// whether all faces it is on are known from one.
+fn rows_of_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Vec<bool> {
+    let wants_trace = observer.wants_trace();
+    let directions = recurring(search);
+    profile::extruded(search, &directions, &mut |face| {
+        if wants_trace {
+            tell(face, observer);
+        }
+    })
+}
+
+fn tell(candidate: &Candidate, observer: &mut dyn Observer) {
+    observer.trace(Event::Accepted {
+        surface: candidate.surface,
+        support: candidate.support.clone(),
+    });
 }
 
 /// Normals of planes and axes that the accepted surfaces have in common, by how many points they
