@@ -30,8 +30,8 @@ const CLEAN: f64 = 0.1;
 /// And up to which rows of points one spacing apart are told from each other and from a curve.
 const ROWS: f64 = 0.01;
 /// Tolerance in standard deviations where it is more, so that a wider one would take in points of other
-/// faces: one in two hundred lies beyond it.
-const NOISY_SIGMAS: f64 = 2.8;
+/// faces: one in sixty lies beyond it.
+const NOISY_SIGMAS: f64 = 2.4;
 
 /// Error of a small face, in standard deviations: that of nine points exceeds it in one of a thousand.
 const CHANCE: f64 = 1.5;
