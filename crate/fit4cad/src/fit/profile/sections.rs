@@ -341,13 +341,24 @@ impl Section {
             }
             let rows = self.rows(candidate);
             let is_told = rows.iter().all(|&(row, _)| sides[row] >= 2);
+            let same: Vec<bool> = faces
+                .iter()
+                .map(|face| is_same(search, candidate, &face.candidate))
+                .collect();
+            let is_within = |index: &&u32| {
+                let mut pieces = faces.iter().zip(&same).filter(|(_, is_same)| **is_same);
+                pieces.any(|(face, _)| face.candidate.support.binary_search(index).is_ok())
+            };
             if is_told && Self::is_rows_only(candidate, &rows) {
-                // If it is one of the faces, that has its points and none across its border.
-                keep[place] = false;
-                continue;
+                let within = candidate.support.iter().filter(is_within).count();
+                if (within as f64) < ROWS_ONLY * candidate.support.len() as f64 {
+                    // If it is part of one of the faces, that has its points and none across its border.
+                    keep[place] = false;
+                    continue;
+                }
             }
-            for (face, is_found) in faces.iter().zip(&mut is_found) {
-                *is_found |= is_same(search, candidate, &face.candidate);
+            for (is_found, is_same) in is_found.iter_mut().zip(same) {
+                *is_found |= is_same;
             }
         }
         search.retain(|place, _| keep[place]);

@@ -155,7 +155,7 @@ fn noise_that_is_large_against_the_spacing_has_a_tolerance_of_fewer_deviations()
     for (points, sigma) in [
         (plate(), 0.05),
         (plate(), 0.2),
-        (ball(), 0.03),
+        (ball(), 0.05),
         (ball(), 0.1),
     ] {
         for seed in 0..3 {
