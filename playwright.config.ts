@@ -21,6 +21,8 @@ export default defineConfig({
   forbidOnly: process.env.CI !== undefined,
   use: {
     baseURL: `http://127.0.0.1:${port}/`,
+    // A button that is gone fails its test long before the test's own time is over.
+    actionTimeout: 60_000,
     screenshot: "only-on-failure",
     launchOptions: {
       executablePath: findBrowser(),
