@@ -76,6 +76,20 @@ test("directory entries are asked for until none are left", async ({ page }) => 
   await expect(row(page, "PC1")).toBeVisible();
 });
 
+test("a drop that comes before the page is drawn is taken", async ({ page }) => {
+  const folder = test.info().outputPath("early");
+  await writeAll(folder, filesOf("bracket", "PC4"));
+  // No frame is drawn, nor anything done that waits for one.
+  await page.addInitScript(() => {
+    window.requestAnimationFrame = () => 0;
+    const { setTimeout } = window;
+    Object.assign(window, { setTimeout: (run: () => void, wait = 0) => setTimeout(run, wait + 1000) });
+  });
+  await page.goto("./");
+  await drop(page, [folder]);
+  await expect(row(page, "PC4")).toBeVisible();
+});
+
 test("a chosen folder and a chosen zip arrive whole", async ({ page }) => {
   const folder = test.info().outputPath("chosen");
   await writeAll(folder, filesOf("bracket", "PC5"));

@@ -1,4 +1,5 @@
 import { render } from "preact";
+import { listenForDrops } from "./intake/dropzone";
 import { listen } from "./keyboard/shortcuts";
 import { keepForOfflineLater } from "./offline/register";
 import { KEYS } from "./keyboard/keys";
@@ -20,6 +21,7 @@ if (root) {
     render(<Lazy load={loadEmbed} title="the results" />, root);
     void openNamed();
   } else {
+    listenForDrops();
     const first = PAGES.find(({ id }) => id === page.value);
     if (first) fetchAhead(first.load);
     render(<App />, root);

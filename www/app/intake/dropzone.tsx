@@ -1,41 +1,41 @@
 // The whole page takes drops; while something is dragged over it, it says so.
 
 import type { JSX } from "preact";
-import { useEffect, useState } from "preact/hooks";
+import { signal } from "@preact/signals";
 import { Icon } from "../ui/icon";
 import { takeDrop } from "./intake";
 
+/** Whether files are held over the page. */
+const over = signal(false);
+
+/**
+ * Takes drops from now on. Called before anything is drawn and not as an effect of the drawing: a browser
+ * that finds nobody to take a drop leaves the page and shows the file instead.
+ */
+export function listenForDrops(): void {
+  window.addEventListener("dragover", (event) => {
+    if (!carriesFiles(event)) return;
+    event.preventDefault();
+    over.value = true;
+  });
+  window.addEventListener("dragleave", (event) => {
+    // Leaving the window has no element it goes to.
+    if (event.relatedTarget === null) over.value = false;
+  });
+  window.addEventListener("drop", (event) => {
+    over.value = false;
+    if (!event.dataTransfer || !carriesFiles(event)) return;
+    event.preventDefault();
+    void takeDrop(event.dataTransfer);
+  });
+}
+
+function carriesFiles(event: DragEvent): boolean {
+  return event.dataTransfer?.types.includes("Files") ?? false;
+}
+
 export function DropZone(): JSX.Element | null {
-  const [over, setOver] = useState(false);
-
-  useEffect(() => {
-    const carriesFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
-    const onOver = (event: DragEvent) => {
-      if (!carriesFiles(event)) return;
-      event.preventDefault();
-      setOver(true);
-    };
-    const onLeave = (event: DragEvent) => {
-      // Leaving the window has no element it goes to.
-      if (event.relatedTarget === null) setOver(false);
-    };
-    const onDrop = (event: DragEvent) => {
-      setOver(false);
-      if (!event.dataTransfer || !carriesFiles(event)) return;
-      event.preventDefault();
-      void takeDrop(event.dataTransfer);
-    };
-    addEventListener("dragover", onOver);
-    addEventListener("dragleave", onLeave);
-    addEventListener("drop", onDrop);
-    return () => {
-      removeEventListener("dragover", onOver);
-      removeEventListener("dragleave", onLeave);
-      removeEventListener("drop", onDrop);
-    };
-  }, []);
-
-  if (!over) return null;
+  if (!over.value) return null;
   return (
     <div class="dropzone" aria-hidden="true">
       <p>
