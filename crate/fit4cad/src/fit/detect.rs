@@ -24,13 +24,15 @@ pub(super) fn shuffled(search: &mut Search<'_>) -> Vec<u32> {
 
 /// Accepts a candidate, and tells so.
 pub(super) fn keep(search: &mut Search<'_>, candidate: Candidate, observer: &mut dyn Observer) {
-    if observer.wants_trace() {
-        observer.trace(Event::Accepted {
-            surface: candidate.surface,
-            support: candidate.support.clone(),
-        });
-    }
+    tell(&candidate, observer);
     search.accept(candidate);
+}
+
+/// Tells that a candidate is accepted.
+pub(super) fn tell(candidate: &Candidate, observer: &mut dyn Observer) {
+    if observer.wants_trace() {
+        observer.trace(Event::accepted(candidate));
+    }
 }
 
 /// The best surface through the unexplained points around a seed, if any is worth keeping.

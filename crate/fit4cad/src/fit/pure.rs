@@ -22,7 +22,8 @@ pub fn flat(patch: &[Point], tolerance: f64) -> Option<Surface> {
     (broad && agrees(&surface, patch, tolerance)).then_some(surface)
 }
 
-fn agrees(surface: &Surface, patch: &[Point], tolerance: f64) -> bool {
+/// Whether all points of a patch lie on a surface.
+pub fn agrees(surface: &Surface, patch: &[Point], tolerance: f64) -> bool {
     patch
         .iter()
         .all(|point| surface.distance(point) <= tolerance)

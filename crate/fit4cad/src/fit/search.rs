@@ -152,6 +152,14 @@ impl<'a> Search<'a> {
             .collect()
     }
 
+    /// The unexplained points in random order.
+    pub fn shuffled_unexplained(&mut self) -> Vec<u32> {
+        let all = (0u32..).take(self.cloud.len());
+        let mut order: Vec<u32> = all.filter(|&index| !self.is_explained(index)).collect();
+        self.random.shuffle(&mut order);
+        order
+    }
+
     /// The up to `count` unexplained points nearest to a point, itself first if unexplained.
     pub fn unexplained_near(&self, index: u32, count: usize) -> Vec<u32> {
         let mut found: Vec<Neighbour> = Vec::with_capacity(count + 1);
@@ -202,7 +210,7 @@ impl<'a> Search<'a> {
     }
 
     /// Root mean square distance of points to a surface.
-    fn error(&self, surface: &Surface, support: &[u32]) -> f64 {
+    pub fn error(&self, surface: &Surface, support: &[u32]) -> f64 {
         let squares: f64 = support
             .iter()
             .map(|&i| surface.distance(self.point(i)).powi(2))

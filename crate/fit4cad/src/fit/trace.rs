@@ -1,5 +1,6 @@
 //! Intermediate results as plain data, for the lessons. Nothing is gathered unless asked for.
 
+use super::Candidate;
 use crate::cloud::Point;
 use crate::surface::Surface;
 
@@ -46,4 +47,14 @@ pub enum Event {
         /// Centre of the region.
         centre: Point,
     },
+}
+
+impl Event {
+    /// That a candidate was accepted.
+    pub fn accepted(candidate: &Candidate) -> Self {
+        Self::Accepted {
+            surface: candidate.surface,
+            support: candidate.support.clone(),
+        }
+    }
 }

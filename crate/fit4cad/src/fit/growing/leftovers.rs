@@ -5,50 +5,39 @@
 use super::super::Candidate;
 use super::super::axes::direction_of;
 use super::super::contest::{Evidence, accept_winners};
+use super::super::detect;
 use super::super::profile;
 use super::super::progress::{Cancelled, Observer, Stage};
 use super::super::search::Search;
 use super::super::thin::axis::known_axes;
 use super::super::thin::borders::Borders;
-use super::super::thin::{self, Proposer};
-use super::super::trace::Event;
+use super::super::thin::{self, Proposer, coaxial};
 use crate::cloud::Direction;
 use crate::surface::Surface;
 
-/// Most directions of the whole cloud that are tried everywhere.
-const RECURRING: usize = 6;
-/// Share of the points of the most frequent direction that makes one recurring.
-const SHARE: f64 = 0.02;
 /// Sine of the angle below which two directions are one.
 const SAME: f64 = 1e-3;
 
-/// Neighbourhoods that a surface about a known axis must pass through.
-const COAXIAL: [usize; 2] = [16, 8];
-/// Fewest points of such a neighbourhood.
-const FEWEST: usize = 6;
-/// Neighbourhoods in vain, on no surface about any axis, after which no more are tried.
-const VAIN: usize = 2000;
-
 /// Finds surfaces about the axes of those found so far: with the axis known, patches suffice that are
 /// too small or too flat to have one of their own.
-pub fn coaxial(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
-    for size in COAXIAL {
+pub fn about_known_axes(
+    search: &mut Search<'_>,
+    observer: &mut dyn Observer,
+) -> Result<(), Cancelled> {
+    for size in coaxial::SIZES {
         observer.progress(Stage::Find, 0.9)?;
         let axes = known_axes(search);
-        let mut order: Vec<u32> = (0..search.cloud.len() as u32)
-            .filter(|&index| !search.is_explained(index))
-            .collect();
-        search.random.shuffle(&mut order);
+        let order = search.shuffled_unexplained();
         let mut proposals = Vec::new();
         let mut vain = 0;
         for seed in order {
             let patch = search.unexplained_near(seed, size);
-            if patch.len() < FEWEST {
+            if patch.len() < coaxial::FEWEST {
                 continue;
             }
-            let found = thin::coaxial::coaxial(search, &axes, &patch);
+            let found = coaxial::coaxial(search, &axes, &patch);
             vain += usize::from(found.is_empty());
-            if vain > VAIN {
+            if vain > coaxial::VAIN {
                 break;
             }
             proposals.extend(found.into_iter().map(|surface| (seed, surface)));
@@ -92,31 +81,18 @@ fn accept(
     evidence: &mut Evidence<'_>,
     observer: &mut dyn Observer,
 ) -> usize {
-    let wants_trace = observer.wants_trace();
     accept_winners(search, candidates, evidence, &mut |winner| {
-        if wants_trace {
-            tell(winner, observer);
-        }
+        detect::tell(winner, observer);
     })
 }
 
 /// Decides the extruded faces along the recurring directions by their profiles. Returns of each point
 /// whether all faces it is on are known from one.
 fn rows_of_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Vec<bool> {
-    let wants_trace = observer.wants_trace();
     let directions = recurring(search);
     profile::extruded(search, &directions, &mut |face| {
-        if wants_trace {
-            tell(face, observer);
-        }
+        detect::tell(face, observer)
     })
-}
-
-fn tell(candidate: &Candidate, observer: &mut dyn Observer) {
-    observer.trace(Event::Accepted {
-        surface: candidate.surface,
-        support: candidate.support.clone(),
-    });
 }
 
 /// Normals of planes and axes that the accepted surfaces have in common, by how many points they
@@ -138,8 +114,8 @@ fn recurring(search: &Search<'_>) -> Vec<Direction> {
     }
     directions.sort_by_key(|(_, points)| std::cmp::Reverse(*points));
     let most = directions.first().map_or(0, |(_, points)| *points);
-    directions.retain(|(_, points)| *points as f64 >= SHARE * most as f64);
-    directions.truncate(RECURRING);
+    directions.retain(|(_, points)| *points as f64 >= thin::SHARE * most as f64);
+    directions.truncate(thin::RECURRING);
     directions
         .into_iter()
         .map(|(direction, _)| direction)

@@ -63,7 +63,7 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         ransac::split(search, region, observer)?;
     }
     if search.scale.is_clean() {
-        leftovers::coaxial(search, observer)?;
+        leftovers::about_known_axes(search, observer)?;
     }
     if search.scale.shows_rows() {
         leftovers::thin_faces(search, observer)?;

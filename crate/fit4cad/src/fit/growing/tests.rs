@@ -104,7 +104,7 @@ fn a_patch_too_small_for_an_axis_of_its_own_is_found_about_a_known_one() {
         .grow(&surface, &(0..63).collect::<Vec<u32>>())
         .unwrap();
     search.accept(face);
-    leftovers::coaxial(&mut search, &mut ()).unwrap();
+    leftovers::about_known_axes(&mut search, &mut ()).unwrap();
     let Some(Surface::Torus(torus)) = search.accepted().get(1).map(|it| it.surface) else {
         panic!("no torus in {:?}", search.accepted());
     };

@@ -11,8 +11,7 @@ use super::vote::{Spaces, Vote};
 use crate::fit::contest::Evidence;
 use crate::fit::thin::axis::known_axes;
 use crate::fit::thin::borders::Borders;
-use crate::fit::thin::coaxial::{coaxial, mixed_coaxial};
-use crate::fit::thin::{self, Proposer};
+use crate::fit::thin::{self, Proposer, coaxial};
 use crate::fit::{Cancelled, Observer, Search, Stage, profile};
 use crate::surface::SurfaceType;
 
@@ -110,16 +109,16 @@ impl Work<'_> {
             })?;
         }
         let axes = known_axes(search);
-        for (size, progress) in [(16, [0.6, 0.65]), (8, [0.65, 0.7])] {
+        for (size, progress) in coaxial::SIZES.into_iter().zip([[0.6, 0.65], [0.65, 0.7]]) {
             let pass = Pass {
-                failures: 2000,
+                failures: coaxial::VAIN,
                 batch: BATCH,
                 progress,
             };
             self.pass(search, pass, &mut |search, seed, votes, _| {
                 let patch = search.unexplained_near(seed, size);
-                if patch.len() >= 6 {
-                    let found = coaxial(search, &axes, &patch).into_iter();
+                if patch.len() >= coaxial::FEWEST {
+                    let found = coaxial::coaxial(search, &axes, &patch).into_iter();
                     votes.extend(found.map(|surface| vote(search, seed, surface)));
                 }
             })?;
@@ -133,7 +132,7 @@ impl Work<'_> {
             let patch = search.unexplained_near(seed, 16);
             let before = votes.len();
             if patch.len() >= 8 {
-                let found = mixed_coaxial(search, &axes, &patch).into_iter();
+                let found = coaxial::mixed_coaxial(search, &axes, &patch).into_iter();
                 votes.extend(found.map(|surface| vote(search, seed, surface)));
             }
             if votes.len() == before {
@@ -208,12 +207,8 @@ impl Work<'_> {
         pass: Pass,
         voter: &mut Voter<'_>,
     ) -> Result<(), Cancelled> {
-        let count = search.cloud.len();
-        let mut order: Vec<u32> = (0..count as u32)
-            .filter(|&i| !search.is_explained(i))
-            .collect();
-        search.random.shuffle(&mut order);
-        let mut blocked = vec![false; count];
+        let order = search.shuffled_unexplained();
+        let mut blocked = vec![false; search.cloud.len()];
         let mut votes = Vec::new();
         let (mut fresh, mut failures) = (0, 0);
         for (turn, &seed) in order.iter().enumerate() {

@@ -5,11 +5,7 @@ use super::directions::DirectionSpace;
 use crate::cloud::Direction;
 use crate::fit::Search;
 use crate::fit::axes::direction_of;
-
-/// Most directions of the whole cloud that are tried everywhere.
-const RECURRING: usize = 6;
-/// Share of the most persistent direction's votes that makes one recurring.
-const SHARE: f64 = 0.02;
+use crate::fit::thin::{RECURRING, SHARE};
 
 /// The directions that normals and axes of the accepted surfaces have in common: maxima of their
 /// accumulator on the Gauss sphere, where a surface has as many votes as points. Narrow faces run

@@ -96,10 +96,7 @@ impl<'o> Recorder<'o> {
     /// Keeps a surface that was accepted.
     pub fn accepted(&mut self, candidate: &Candidate) {
         if self.wants {
-            self.observer.trace(Event::Accepted {
-                surface: candidate.surface,
-                support: candidate.support.clone(),
-            });
+            self.observer.trace(Event::accepted(candidate));
         }
     }
 }

@@ -4,30 +4,44 @@
 use super::axis::{KnownAxis, Profile};
 use super::borders::Borders;
 use super::curve::circle;
+use crate::cloud::Point;
 use crate::fit::Search;
+use crate::fit::pure::agrees;
 use crate::surface::Surface;
+
+/// Free points of the neighbourhoods that [`coaxial`] is asked about, in this order.
+pub const SIZES: [usize; 2] = [16, 8];
+/// Fewest points of such a neighbourhood.
+pub const FEWEST: usize = 6;
+/// Neighbourhoods in vain, on no surface about any axis, after which no more are tried.
+pub const VAIN: usize = 2000;
 
 /// The surfaces of revolution about the known axes that all points of a neighbourhood lie on.
 /// O(axes × points).
 pub fn coaxial(search: &Search<'_>, axes: &[KnownAxis], patch: &[u32]) -> Vec<Surface> {
-    let mut found = Vec::new();
-    let tolerance = search.scale.tolerance;
     let points = search.points(patch);
-    for axis in axes {
+    let tolerance = search.scale.tolerance;
+    about_each(search, axes, &points, |axis, places| {
+        turned(axis, places, tolerance)
+    })
+}
+
+/// The surfaces that each axis has for the places of some points, as far as they pass through all of
+/// the points.
+fn about_each(
+    search: &Search<'_>,
+    axes: &[KnownAxis],
+    points: &[Point],
+    surface: impl Fn(&KnownAxis, &[Profile]) -> Option<Surface>,
+) -> Vec<Surface> {
+    let tolerance = 2.0 * search.scale.tolerance;
+    let through = |axis: &KnownAxis| {
         let places: Vec<Profile> = points.iter().map(|point| axis.profile(point)).collect();
-        let Some(surface) = turned(axis, &places, tolerance) else {
-            continue;
-        };
-        let plausible = search.is_plausible(&surface);
-        if plausible
-            && points
-                .iter()
-                .all(|p| surface.distance(p) <= 2.0 * tolerance)
-        {
-            found.push(surface);
-        }
-    }
-    found
+        let surface = surface(axis, &places)?;
+        let is_found = search.is_plausible(&surface) && agrees(&surface, points, tolerance);
+        is_found.then_some(surface)
+    };
+    axes.iter().filter_map(through).collect()
 }
 
 /// Places that are told apart count once: a ring of points about the axis is one place.
@@ -144,19 +158,15 @@ pub fn rings(
     axes: &[KnownAxis],
     patch: &[u32],
 ) -> Vec<Surface> {
-    let mut found = Vec::new();
-    let tolerance = search.scale.tolerance;
     let points = search.points(patch);
-    for axis in axes {
-        let places: Vec<Profile> = points.iter().map(|point| axis.profile(point)).collect();
-        let rings = distinct(&places, tolerance);
+    let tolerance = search.scale.tolerance;
+    about_each(search, axes, &points, |axis, places| {
+        let rings = distinct(places, tolerance);
         if !(2..=4).contains(&rings.len()) || 2 * rings.len() > places.len() {
-            continue;
+            return None;
         }
         // The two rings farthest apart are the borders.
-        let Some((a, b)) = farthest(&rings) else {
-            continue;
-        };
+        let (a, b) = farthest(&rings)?;
         let slope = |ring: &Profile| -> Option<Profile> {
             let at = places
                 .iter()
@@ -164,23 +174,14 @@ pub fn rings(
             let owner = &search.accepted()[borders.owner(patch[at])? as usize];
             axis.tangent(&owner.surface, &points[at])
         };
-        let surface = match blend(a, b, slope(&a), slope(&b)) {
+        Some(match blend(a, b, slope(&a), slope(&b)) {
             // Two rings may be a fillet or a chamfer with equal legs: the simpler one.
             Some((centre, radius)) if rings.len() > 2 => {
                 axis.turned_circle(centre, radius, tolerance)
             }
             _ => axis.turned_line(a, b, tolerance),
-        };
-        let plausible = search.is_plausible(&surface);
-        if plausible
-            && points
-                .iter()
-                .all(|p| surface.distance(p) <= 2.0 * tolerance)
-        {
-            found.push(surface);
-        }
-    }
-    found
+        })
+    })
 }
 
 fn farthest(rings: &[Profile]) -> Option<(Profile, Profile)> {
@@ -229,7 +230,7 @@ fn blend(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cloud::{Direction, Point, Vector};
+    use crate::cloud::{Direction, Vector};
     use crate::surface::{Cone, Cylinder, Plane, Sphere, Torus, across};
 
     fn axis() -> KnownAxis {

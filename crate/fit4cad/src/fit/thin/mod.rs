@@ -29,6 +29,10 @@ use borders::Borders;
 pub const SIZES: [usize; 3] = [10, 16, 28];
 /// Passes over the open borders: what one settles may be the border of a next.
 pub const PASSES: usize = 3;
+/// Most directions of the whole cloud along which thin faces are sought everywhere.
+pub const RECURRING: usize = 6;
+/// Share of the points of the most frequent direction that makes one recurring.
+pub const SHARE: f64 = 0.02;
 /// Radius within which a neighbourhood lies, in spacings.
 const REACH: f64 = 4.0;
 
