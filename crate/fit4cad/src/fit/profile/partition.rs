@@ -139,12 +139,10 @@ fn arc(run: &[Place], tolerance: f64) -> Option<Curve> {
         return None;
     }
     let curve = circumcircle(first, middle, last)?;
-    let Curve::Circle(centre, radius) = curve else {
+    let Curve::Circle(centre, _) = curve else {
         return None;
     };
-    let is_on = run
-        .iter()
-        .all(|&place| (apart(place, centre) - radius).abs() <= tolerance);
+    let is_on = run.iter().all(|&place| curve.distance(place) <= tolerance);
     (is_on && goes_around(run, centre)).then_some(curve)
 }
 

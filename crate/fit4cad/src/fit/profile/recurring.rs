@@ -48,12 +48,9 @@ impl Recurring {
     /// The recurring circle that all places are on, if any.
     pub fn through(&self, places: &[Place]) -> Option<Curve> {
         let off = OFF * self.tolerance;
-        let mut circles = self.circles.iter();
-        let found = circles.find(|(centre, radius)| {
-            let mut places = places.iter();
-            places.all(|&place| (apart(place, *centre) - radius).abs() <= off)
-        });
-        found.map(|&(centre, radius)| Curve::Circle(centre, radius))
+        let circles = self.circles.iter();
+        let mut curves = circles.map(|&(centre, radius)| Curve::Circle(centre, radius));
+        curves.find(|curve| places.iter().all(|&place| curve.distance(place) <= off))
     }
 
     /// Whether a circle is one of those that recur.

@@ -1,10 +1,10 @@
 //! Rulings: the rows of points in which a mesher lays out faces that were extruded.
 
-use crate::cloud::{Direction, Point, Vector};
 use crate::fit::Search;
 use crate::fit::scale::quantile;
+use crate::fit::thin::plan::Plan;
 use crate::fit::thin::profile::{Place, apart};
-use crate::surface::{Surface, across};
+use crate::surface::Surface;
 
 /// Points that make a row no accident.
 const FEWEST: usize = 4;
@@ -24,43 +24,6 @@ const STRAY: f64 = 3.0;
 const GAP: f64 = 12.0;
 /// As [`GAP`], in upper quartiles of the gaps of the ruling, where that is more.
 const UNEVEN: f64 = 8.0;
-
-/// The plane across a direction.
-#[derive(Debug, Clone, Copy)]
-pub struct Plan {
-    /// The direction.
-    pub direction: Direction,
-    origin: Point,
-    axes: [Vector; 2],
-}
-
-impl Plan {
-    /// The plane through a point.
-    pub fn new(origin: Point, direction: Direction) -> Self {
-        let first = across(&direction).into_inner();
-        Self {
-            direction,
-            origin,
-            axes: [first, direction.cross(&first)],
-        }
-    }
-
-    /// Where a point is seen.
-    pub fn place(&self, point: &Point) -> Place {
-        let offset = point - self.origin;
-        self.axes.map(|axis| offset.dot(&axis))
-    }
-
-    /// How far along the direction a point is.
-    pub fn height(&self, point: &Point) -> f64 {
-        (point - self.origin).dot(&self.direction)
-    }
-
-    /// The point of the plane at a place.
-    pub fn point(&self, place: Place) -> Point {
-        self.origin + self.axes[0] * place[0] + self.axes[1] * place[1]
-    }
-}
 
 /// A row of points along a direction, without long gaps.
 #[derive(Debug, Clone, PartialEq)]

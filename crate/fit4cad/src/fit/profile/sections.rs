@@ -3,13 +3,14 @@
 use super::chains::{Chain, chains};
 use super::partition::{Piece, partition};
 use super::recurring::Recurring;
-use super::rulings::{Plan, Ruling, is_empty_between, rulings};
+use super::rulings::{Ruling, is_empty_between, rulings};
 use crate::cloud::Direction;
 use crate::fit::least_squares::{self, Loss};
 use crate::fit::thin::borders;
+use crate::fit::thin::plan::Plan;
 use crate::fit::thin::profile::{Curve, Place};
 use crate::fit::{Candidate, Search};
-use crate::surface::{Cylinder, Plane, Surface};
+use crate::surface::Surface;
 
 /// Longest step from one ruling of a profile to the next, in spacings.
 const REACH: f64 = 6.0;
@@ -231,33 +232,19 @@ impl Section {
         exact: f64,
     ) -> Option<Face> {
         let rulings = &chain.rulings[piece.ends[0]..=piece.ends[1]];
-        let at = |place: Place| self.plan.point(place);
-        let direction = self.plan.direction.into_inner();
-        let start = match piece.curve {
-            Curve::Line(a, b) => {
-                Surface::Plane(Plane::new(at(a), (at(b) - at(a)).cross(&direction)))
-            }
-            Curve::Circle(centre, radius) => {
-                Surface::Cylinder(Cylinder::new(at(centre), direction, radius))
-            }
-        };
+        let start = self.plan.surface(&piece.curve);
         let rows = rulings.iter().flat_map(|&it| &self.rulings[it].points);
         let mut support: Vec<u32> = rows.copied().collect();
         support.sort_unstable();
         support.dedup();
-        let points = search.points(&support);
         // Two rulings on a recurring circle say no more about it.
         let is_told = rulings.len() < 3 && matches!(piece.curve, Curve::Circle(..));
         let surface = if is_told {
             start
         } else {
-            least_squares::fit(&start, &points, Loss::Squares)?.surface
+            least_squares::fit(&start, &search.points(&support), Loss::Squares)?.surface
         };
-        let squares: f64 = points
-            .iter()
-            .map(|point| surface.distance(point).powi(2))
-            .sum();
-        let error = (squares / points.len().max(1) as f64).sqrt();
+        let error = search.error(&surface, &support);
         let limit = if is_told {
             search.scale.tolerance
         } else {

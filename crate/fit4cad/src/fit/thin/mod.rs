@@ -2,7 +2,8 @@
 //! and countersinks. No neighbourhood of theirs alone tells what they are; the faces beside them do.
 //!
 //! ```text
-//! axis, profile, curve   faces as curves of the half-plane of a known axis, or across a direction
+//! axis, plan             the half-plane of a known axis, and the plane across a direction
+//! profile, curve         faces as curves of these planes
 //! coaxial, swept         surfaces through few points, about or along what is known beside them
 //! rows                   what the rows of points on a thin face prove
 //! borders                where accepted surfaces end and nothing yet begins
@@ -14,6 +15,7 @@ pub mod axis;
 pub mod borders;
 pub mod coaxial;
 pub mod curve;
+pub mod plan;
 pub mod profile;
 pub mod rows;
 pub mod swept;

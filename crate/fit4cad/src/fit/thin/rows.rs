@@ -5,10 +5,11 @@
 //! on a simpler surface, are no accident.
 
 use super::axis::KnownAxis;
-use super::profile::{Place, apart};
+use super::plan::Plan;
+use super::profile::{Curve, Place, apart};
 use crate::cloud::{Direction, Point};
 use crate::fit::{Candidate, Search};
-use crate::surface::{Surface, across};
+use crate::surface::Surface;
 
 /// What the rows of a patch prove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -82,9 +83,8 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
 
 /// Where points appear in the plane across a direction.
 fn seen_along(direction: &Direction) -> impl Fn(&Point) -> Place {
-    let u = across(direction).into_inner();
-    let v = direction.cross(&u);
-    move |point| [point.coords.dot(&u), point.coords.dot(&v)]
+    let plan = Plan::new(Point::origin(), *direction);
+    move |point| plan.place(point)
 }
 
 /// Number of places, the fullest first, that hold nearly all points, up to [`MANY`]: a few stray
@@ -140,7 +140,7 @@ fn is_two_lines(places: &[Place], tolerance: f64) -> bool {
 
 /// Distance of a place from the line through two others.
 fn distance(a: Place, b: Place, place: Place) -> f64 {
-    super::profile::Curve::Line(a, b).distance(place)
+    Curve::Line(a, b).distance(place)
 }
 
 #[cfg(test)]

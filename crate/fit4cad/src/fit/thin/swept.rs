@@ -4,11 +4,12 @@
 //! are faces, the borders tell: a face ends where its neighbours do.
 
 use super::axis::KnownAxis;
-use super::profile::{self, Curve, Place};
+use super::plan::Plan;
+use super::profile::{self, Place};
 use crate::cloud::{Direction, Point, Vector};
 use crate::fit::Search;
 use crate::fit::axes::axis_of;
-use crate::surface::{Cylinder, Plane, Surface, across};
+use crate::surface::Surface;
 
 /// Sine of the angle below which two directions are one.
 const SAME: f64 = 1e-4;
@@ -76,25 +77,10 @@ fn extruded(points: &[Point], direction: &Direction, tolerance: f64, found: &mut
     let Some(origin) = points.first() else {
         return;
     };
-    let u = across(direction).into_inner();
-    let v = direction.cross(&u);
-    let places: Vec<Place> = points
-        .iter()
-        .map(|point| [(point - origin).dot(&u), (point - origin).dot(&v)])
-        .collect();
-    let at = |place: Place| origin + u * place[0] + v * place[1];
-    found.extend(
-        profile::curves(&places, tolerance)
-            .into_iter()
-            .map(|curve| match curve {
-                Curve::Line(a, b) => {
-                    Surface::Plane(Plane::new(at(a), (at(b) - at(a)).cross(direction)))
-                }
-                Curve::Circle(centre, radius) => {
-                    Surface::Cylinder(Cylinder::new(at(centre), direction.into_inner(), radius))
-                }
-            }),
-    );
+    let plan = Plan::new(*origin, *direction);
+    let places: Vec<Place> = points.iter().map(|point| plan.place(point)).collect();
+    let curves = profile::curves(&places, tolerance);
+    found.extend(curves.iter().map(|curve| plan.surface(curve)));
 }
 
 /// Surfaces of revolution about an axis through the first of some points.
