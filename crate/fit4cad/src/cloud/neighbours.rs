@@ -20,6 +20,18 @@ pub struct Neighbour {
     pub distance_squared: f64,
 }
 
+/// Whether two points are linked in the Gabriel graph (Gabriel and Sokal 1969): whether the ball over
+/// the segment between them holds none of those nearby. On the sphere they are outside.
+pub fn is_gabriel_link<'a>(
+    start: &Point,
+    end: &Point,
+    mut nearby: impl Iterator<Item = &'a Point>,
+) -> bool {
+    let middle = nalgebra::center(start, end);
+    let limit = 0.25 * (end - start).norm_squared() * (1.0 - 1e-9);
+    nearby.all(|point| (point - middle).norm_squared() >= limit)
+}
+
 /// A static tree over points. Building takes O(n log n) time; 28 bytes a point and 48 bytes per
 /// node of up to 12 points.
 #[derive(Debug, Clone)]

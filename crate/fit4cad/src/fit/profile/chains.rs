@@ -2,7 +2,7 @@
 
 use super::rulings::Ruling;
 use crate::cloud::Point;
-use crate::cloud::neighbours::KdTree;
+use crate::cloud::neighbours::{KdTree, is_gabriel_link};
 use crate::disjoint::DisjointSets;
 use crate::fit::thin::profile::apart;
 
@@ -30,21 +30,18 @@ pub fn chains(
     allows: impl Fn(usize, usize) -> bool,
 ) -> Vec<Chain> {
     let at = |ruling: &Ruling| Point::new(ruling.place[0], ruling.place[1], 0.0);
-    let tree = KdTree::new(&rulings.iter().map(at).collect::<Vec<Point>>());
+    let places: Vec<Point> = rulings.iter().map(at).collect();
+    let tree = KdTree::new(&places);
     let mut links: Vec<(f64, usize, usize)> = Vec::new();
     let mut near = Vec::new();
     for (number, ruling) in rulings.iter().enumerate() {
         let is_beside =
             |other: u32| other as usize != number && rulings[other as usize].is_beside(ruling);
-        tree.nearest(&at(ruling), NEAREST, reach, is_beside, &mut near);
+        tree.nearest(&places[number], NEAREST, reach, is_beside, &mut near);
         for (rank, neighbour) in near.iter().enumerate() {
             let other = neighbour.index as usize;
-            let middle = nalgebra::center(&at(ruling), &at(&rulings[other]));
-            // The Gabriel graph: nothing in the circle over a link.
-            let is_open = near[..rank].iter().all(|third| {
-                let from = (at(&rulings[third.index as usize]) - middle).norm_squared();
-                4.0 * from >= neighbour.distance_squared * (1.0 - 1e-9)
-            });
+            let nearer = near[..rank].iter().map(|it| &places[it.index as usize]);
+            let is_open = is_gabriel_link(&places[number], &places[other], nearer);
             if is_open && allows(number, other) && allows(other, number) {
                 let length = apart(ruling.place, rulings[other].place);
                 links.push((length, number.min(other), number.max(other)));

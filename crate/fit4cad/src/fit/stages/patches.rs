@@ -14,7 +14,7 @@ use super::super::Candidate;
 use super::super::search::Search;
 use super::label::Labels;
 use crate::cloud::Vector;
-use crate::cloud::neighbours::Neighbour;
+use crate::cloud::neighbours::{Neighbour, is_gabriel_link};
 use crate::disjoint::DisjointSets;
 use crate::surface::Surface;
 
@@ -101,12 +101,13 @@ impl Face<'_> {
             if matches!(roles[position as usize], Role::Corner) {
                 continue;
             }
+            let point = self.search.point(index);
             self.near(index, &mut near);
             for (rank, neighbour) in near.iter().enumerate() {
                 let other = self.place[neighbour.index as usize];
-                if self.links(&roles, position, other)
-                    && self.is_open(index, neighbour, &near[..rank])
-                {
+                let end = self.search.point(neighbour.index);
+                let nearer = near[..rank].iter().map(|n| self.search.point(n.index));
+                if self.links(&roles, position, other) && is_gabriel_link(point, end, nearer) {
                     sets.join(position as usize, other as usize);
                 }
             }
@@ -154,16 +155,6 @@ impl Face<'_> {
             _ => true,
         };
         same_side && allows(first, &step) && allows(second, &-step)
-    }
-
-    /// Whether none of the nearer points is in the ball over a link.
-    fn is_open(&self, index: u32, neighbour: &Neighbour, nearer: &[Neighbour]) -> bool {
-        let (start, end) = (self.search.point(index), self.search.point(neighbour.index));
-        let middle = nalgebra::center(start, end);
-        let limit = 0.25 * neighbour.distance_squared * (1.0 - 1e-9);
-        nearer
-            .iter()
-            .all(|n| (self.search.point(n.index) - middle).norm_squared() >= limit)
     }
 
     /// Corners go to the patch of the nearest point that is none.
