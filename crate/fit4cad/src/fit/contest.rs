@@ -23,7 +23,7 @@ pub enum Evidence<'b> {
 impl Evidence<'_> {
     /// Whether a candidate has points enough beyond those that any surface of its family would
     /// hold, and evidence of its own.
-    fn suffices(&self, search: &mut Search<'_>, contender: &Contender) -> bool {
+    fn suffices(&self, search: &Search<'_>, contender: &Contender) -> bool {
         let candidate = &contender.candidate;
         let smallest = Parameters::count(search.parameters.smallest);
         let redundant = degrees_of_freedom(candidate.surface.kind()) + search.scale.redundancy();
@@ -52,7 +52,7 @@ impl Evidence<'_> {
                     && own.len() >= smallest.max(needed)
                     && !is_curve(&search.points(&own), 2.0 * search.scale.tolerance)
                     && (!is_clean || contender.is_wide(search))
-                    && search.thickness(candidate) >= THICKNESS
+                    && contender.thickness >= THICKNESS
             }
             Self::Borders(borders) => {
                 if !borders.is_exact(candidate) {
@@ -101,11 +101,13 @@ struct Contender {
     candidate: Candidate,
     border: Vec<BorderPoint>,
     proof: Proof,
+    thickness: f64,
 }
 
 impl Contender {
     fn new(search: &mut Search<'_>, candidate: Candidate, proof: Proof) -> Self {
-        let is_thin = search.scale.is_clean() && search.thickness(&candidate) < WIDE;
+        let thickness = search.thickness(&candidate);
+        let is_thin = search.scale.is_clean() && thickness < WIDE;
         let border = if is_thin {
             border(search, &candidate)
         } else {
@@ -116,6 +118,7 @@ impl Contender {
             candidate,
             border,
             proof,
+            thickness,
         }
     }
 
