@@ -128,16 +128,10 @@ pub fn residual(patch: &[Point], enough: f64) -> Option<f64> {
     if spread.variances[1] <= 1e-4 * spread.variances[2] {
         return None;
     }
-    let corrected = |fitted: Option<Fitted>| {
-        let Fitted { surface, error } = fitted?;
-        let freedom = degrees_of_freedom(surface.kind());
-        let spare = patch
-            .len()
-            .checked_sub(freedom)
-            .filter(|&spare| spare > 0)?;
-        Some(error * (patch.len() as f64 / spare as f64).sqrt())
+    let of = |fitted: Option<Fitted>| {
+        let residual = fitted.and_then(|fitted| corrected(&fitted, patch.len()));
+        residual.unwrap_or(f64::INFINITY)
     };
-    let of = |fitted| corrected(fitted).unwrap_or(f64::INFINITY);
     let mut best = f64::INFINITY;
     for kind in [
         SurfaceType::Plane,
@@ -170,6 +164,14 @@ pub fn residual(patch: &[Point], enough: f64) -> Option<f64> {
     best.is_finite().then_some(best)
 }
 
+/// Residual standard deviation of a fit to so many points, corrected for the degrees of freedom left.
+/// `None` where none are left.
+fn corrected(fitted: &Fitted, count: usize) -> Option<f64> {
+    let left = count.checked_sub(degrees_of_freedom(fitted.surface.kind()));
+    let left = left.filter(|&left| left > 0)?;
+    Some(fitted.error * (count as f64 / left as f64).sqrt())
+}
+
 /// Residual standard deviation of those points of a patch that lie on the plane of the first: of one
 /// sheet of a thin wall, whose sheets are in the patch alike. `None` where they are few, or not so
 /// near the plane that being chosen for it says nothing of how near.
@@ -179,10 +181,11 @@ fn on_one_sheet(patch: &[Point]) -> Option<f64> {
     if on < 3 + SPARE {
         return None;
     }
-    let is_on = |point: &&Point| (point.coords.dot(&plane.normal) - plane.offset).abs() <= band;
+    let plane = Surface::Plane(plane);
+    let is_on = |point: &&Point| plane.distance(point) <= band;
     let sheet: Vec<Point> = patch.iter().filter(is_on).copied().collect();
-    let fitted = least_squares::fit(&Surface::Plane(plane), &sheet, Loss::Squares)?;
-    let residual = fitted.error * (sheet.len() as f64 / (sheet.len() - 3) as f64).sqrt();
+    let fitted = least_squares::fit(&plane, &sheet, Loss::Squares)?;
+    let residual = corrected(&fitted, sheet.len())?;
     (residual <= WELL_INSIDE * band).then_some(residual)
 }
 

@@ -60,16 +60,12 @@ fn are_halves(search: &Search<'_>, first: &Patch, second: &Patch) -> bool {
 }
 
 /// One patch of the points of several.
-fn joined(search: &Search<'_>, halves: Vec<Patch>) -> Option<Patch> {
-    let is_whole = halves.len() == 1;
+fn joined(search: &Search<'_>, mut halves: Vec<Patch>) -> Option<Patch> {
+    if halves.len() == 1 {
+        return halves.pop();
+    }
     let largest = halves.iter().max_by_key(|half| half.points.len())?.surface;
     let mut points: Vec<u32> = halves.into_iter().flat_map(|half| half.points).collect();
-    if is_whole {
-        return Some(Patch {
-            surface: largest,
-            points,
-        });
-    }
     points.sort_unstable();
     points.dedup();
     let fitted = least_squares::fit(&largest, &search.points(&points), Loss::Squares);
