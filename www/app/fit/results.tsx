@@ -1,7 +1,7 @@
 // The models of a run: how far each is, and what came of it.
 
 import type { JSX } from "preact";
-import { fitRun, shareDone, type Fit, type FitRun, type FitState } from "../state/fitting";
+import { fitRun, methodsOf, shareDone, type Fit, type FitRun, type FitState } from "../state/fitting";
 import { isMadeHere, removeSubmission } from "../state/inbox";
 import { modelById } from "../state/models";
 import { selectModel, selectedMethod, selectedModel } from "../state/selection";
@@ -45,12 +45,12 @@ export function Results(): JSX.Element | null {
   );
 }
 
-/** A run that repeats what a link claims may be of both methods, and fit a model several times. */
-function captionOf({ fits }: FitRun): string {
-  const methods = [...new Set(fits.map(({ request }) => request.method.toUpperCase()))].join(" and ");
+/** A run that repeats what a link claims may fit a model several times. */
+function captionOf(run: FitRun): string {
+  const { fits } = run;
   const count = new Set(fits.map(({ model }) => model)).size;
   const times = fits.length > count ? `${format.plural(fits.length, "fit")}, ` : "";
-  return `${times}${methods} on ${format.plural(count, "model")}`;
+  return `${times}${methodsOf(run)} on ${format.plural(count, "model")}`;
 }
 
 function Row({ fit }: { fit: Fit }): JSX.Element {

@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
-import { cancelFitting, fitProgress, fitRun } from "../state/fitting";
+import { cancelFitting, fitProgress, fitRun, methodsOf } from "../state/fitting";
 import { duration, integer } from "../ui/format";
 
 /** With less than this done, the time left is anybody's guess. */
@@ -16,10 +16,9 @@ const heard = computed(() => {
   const [only] = run.fits;
   if (only && progress.total === 1) {
     const state = only.state.value;
-    return `${only.request.method.toUpperCase()} fits ${only.model}: ${state.kind === "running" ? state.stage : "waiting"}`;
+    return `${methodsOf(run)} fits ${only.model}: ${state.kind === "running" ? state.stage : "waiting"}`;
   }
-  const methods = [...new Set(run.fits.map(({ request }) => request.method.toUpperCase()))].join(" and ");
-  return `${methods}: ${integer(progress.done)} of ${integer(progress.total)} fits done`;
+  return `${methodsOf(run)}: ${integer(progress.done)} of ${integer(progress.total)} fits done`;
 });
 
 /** `stoppable` is false where something else on the page stops it, with more. */

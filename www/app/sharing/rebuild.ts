@@ -7,7 +7,7 @@ import { publicBase } from "../public/source";
 import { SETS, type PublicModel } from "../public/catalogue";
 import { isSameSample } from "../samples/identity";
 import { makeSample } from "../samples/samples";
-import { fitModels } from "../state/fitting";
+import { fitModels, tellTally } from "../state/fitting";
 import { models, type ModelEntry, type Origin } from "../state/models";
 import { notify } from "../state/notices";
 import { plural } from "../ui/format";
@@ -201,8 +201,6 @@ async function fitAgain({ models: shared }: SharedResults, claims: readonly Clai
   if (jobs.length === 0 || stopped.aborted) return;
   const tally = await fitModels(jobs, { signal: stopped, quiet: true });
   if (!tally) return notify("The fits of the link were not repeated: another fit is under way.");
-  const { done, failed, stopped: ended } = tally;
-  const rest = [ended > 0 && `${ended} stopped`, failed > 0 && `${failed} failed`].filter((part) => part !== false);
   const count = plural(jobs.length, "fit");
-  notify(`${done === jobs.length ? count : `${done} of ${count}`} of the link repeated here${rest.length > 0 ? `; ${rest.join(", ")}` : ""}.`, failed > 0 ? "error" : "info");
+  tellTally(`${tally.done === jobs.length ? count : `${tally.done} of ${count}`} of the link repeated here`, tally);
 }

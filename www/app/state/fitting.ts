@@ -54,6 +54,11 @@ export interface FitOptions {
   readonly quiet?: boolean;
 }
 
+/** What a run fits with: `HT`, `PG`, or `HT and PG` where it repeats what a link claims. */
+export function methodsOf({ fits }: FitRun): string {
+  return [...new Set(fits.map(({ request }) => request.method.toUpperCase()))].join(" and ");
+}
+
 /** The run under way, or the last one. */
 export const fitRun = signal<FitRun | undefined>(undefined);
 
@@ -127,7 +132,7 @@ export async function fitModels(jobs: readonly FitJob[], { signal: stopped, quie
   await Promise.all(lanes.values());
   stopped?.removeEventListener("abort", stop);
   if (!quiet) tellEnd(run);
-  return { done: countOf(run, "done"), stopped: countOf(run, "stopped"), failed: countOf(run, "failed") };
+  return tallyOf(run);
 }
 
 /** Stops every fit under way. What is fitted stays. */
@@ -164,25 +169,29 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
   }
 }
 
-function countOf({ fits }: FitRun, kind: FitState["kind"]): number {
-  return fits.filter(({ state }) => state.peek().kind === kind).length;
+function tallyOf({ fits }: FitRun): FitTally {
+  const count = (kind: FitState["kind"]) => fits.filter(({ state }) => state.peek().kind === kind).length;
+  return { done: count("done"), stopped: count("stopped"), failed: count("failed") };
+}
+
+/** Says how a run ended: `what`, and of how many fits nothing came. */
+export function tellTally(what: string, { stopped, failed }: FitTally): void {
+  const rest = [stopped > 0 && `${stopped} stopped`, failed > 0 && `${failed} failed`].filter((part) => part !== false);
+  notify(`${what}${rest.length > 0 ? `; ${rest.join(", ")}` : ""}.`, failed > 0 ? "error" : "info");
 }
 
 function tellEnd(run: FitRun): void {
   const [first] = run.fits;
   if (!first) return;
-  const name = first.request.method.toUpperCase();
   const state = first.state.peek();
   const alone = run.fits.length === 1;
   if (alone && state.kind === "done") {
     const { primitives, seconds } = state.result;
-    notify(`${name} found ${plural(primitives, "primitive")} in ${first.model}, in ${seconds.toFixed(2)} s.`);
+    notify(`${methodsOf(run)} found ${plural(primitives, "primitive")} in ${first.model}, in ${seconds.toFixed(2)} s.`);
   } else if (alone && state.kind === "failed") {
     notify(`${first.model} could not be fitted: ${state.message}`, "error");
   } else {
-    const [stopped, failed] = [countOf(run, "stopped"), countOf(run, "failed")];
-    const rest = [stopped > 0 && `${stopped} stopped`, failed > 0 && `${failed} failed`].filter((part) => part !== false);
-    const whole = `${name} fitted ${countOf(run, "done")} of ${run.fits.length}`;
-    notify(`${whole}${rest.length > 0 ? `; ${rest.join(", ")}` : ""}.`, failed > 0 ? "error" : "info");
+    const tally = tallyOf(run);
+    tellTally(`${methodsOf(run)} fitted ${tally.done} of ${run.fits.length}`, tally);
   }
 }
