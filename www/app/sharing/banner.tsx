@@ -37,19 +37,21 @@ export function SharedBanner(): JSX.Element | null {
 }
 
 /** Has again what the link says how to, or ends that. */
-export function RestButton({ results }: { results: SharedResults }): JSX.Element | null {
-  if (rebuilding.value) {
-    return (
-      <button type="button" onClick={stopRebuilding}>
-        Stop recomputing
-      </button>
-    );
-  }
+function RestButton({ results }: { results: SharedResults }): JSX.Element | null {
+  if (rebuilding.value) return <StopButton />;
   const rest = restOf(results);
   const work = workOf(results, rest);
   return work === undefined ? null : (
     <button type="button" onClick={() => void rebuild(results, rest)}>
       {work}
+    </button>
+  );
+}
+
+export function StopButton(): JSX.Element {
+  return (
+    <button type="button" onClick={stopRebuilding}>
+      Stop recomputing
     </button>
   );
 }

@@ -9,9 +9,9 @@ import { shortfall } from "../public/download";
 import { DownloadProgress } from "../public/progress";
 import ScoresPanel from "../scores/panel";
 import SharedPanel from "../sharing/panel";
-import { Standing } from "../sharing/banner";
+import { Standing, StopButton } from "../sharing/banner";
 import { isLinkOpen, opened } from "../sharing/opened";
-import { rebuilding, stopRebuilding } from "../sharing/rebuild";
+import { rebuilding } from "../sharing/rebuild";
 import { Stage } from "../stage/stage";
 import { models } from "../state/models";
 import { plural } from "../ui/format";
@@ -26,11 +26,7 @@ export default function Embed(): JSX.Element {
           Fit4CAD <span>Playground</span>
         </h1>
         <p role="status">{shared ? <Standing embedded /> : hasScene && plural(models.value.length, "model")}</p>
-        {rebuilding.value && (
-          <button type="button" onClick={stopRebuilding}>
-            Stop recomputing
-          </button>
-        )}
+        {rebuilding.value && <StopButton />}
         <a href={fullAddress()} target="_blank" rel="noopener">
           Open full
         </a>
