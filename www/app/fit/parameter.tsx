@@ -3,6 +3,7 @@
 import type { JSX } from "preact";
 import { useId } from "preact/hooks";
 import type { ParameterInfo } from "../engine/contract";
+import { capitalised } from "../ui/format";
 
 interface Props {
   readonly info: ParameterInfo;
@@ -13,8 +14,7 @@ interface Props {
 
 /** `fuzzy_border` as words. */
 export function title(name: string): string {
-  const words = name.replaceAll("_", " ");
-  return words.charAt(0).toUpperCase() + words.slice(1);
+  return capitalised(name.replaceAll("_", " "));
 }
 
 export function Parameter({ info, value, onChange }: Props): JSX.Element {

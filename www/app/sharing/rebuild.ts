@@ -10,7 +10,7 @@ import { makeSample } from "../samples/samples";
 import { fitModels, tellTally } from "../state/fitting";
 import { models, type ModelEntry, type Origin } from "../state/models";
 import { notify } from "../state/notices";
-import { plural } from "../ui/format";
+import { capitalised, plural } from "../ui/format";
 import { judged, type JudgedClaim } from "./opened";
 import type { Claim, SharedModel, SharedOrigin, SharedResults } from "./shared";
 
@@ -81,7 +81,7 @@ export function workOf({ models: shared }: SharedResults, { models: places, fits
     fits.length > 0 && `repeat ${plural(fits.length, "fit")}`,
   ].filter((part) => part !== false);
   const text = parts.join(", ");
-  return text === "" ? undefined : text.charAt(0).toUpperCase() + text.slice(1);
+  return text === "" ? undefined : capitalised(text);
 }
 
 function absentAmong(shared: readonly SharedModel[], places: readonly number[]): number[] {

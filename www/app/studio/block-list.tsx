@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
+import { capitalised } from "../ui/format";
 import { blockOf, inserted, moved, removed, replaced, reshaped, withAxis } from "./blocks";
 import { MAX_BLOCKS, type Block } from "./case";
 import { NumberField } from "./number-field";
@@ -150,7 +151,7 @@ function BlockItem({ block, place, open, onToggle, onChange }: ItemProps): JSX.E
           {(info?.sizes ?? []).map((name, at) => (
             <NumberField
               key={name}
-              label={capital(name)}
+              label={capitalised(name)}
               name={`${name} of ${of}`}
               value={block.sizes[at] ?? 0}
               min={0}
@@ -189,10 +190,6 @@ function Vectors({ block, of, which, title, onChange }: VectorProps): JSX.Elemen
       ))}
     </div>
   );
-}
-
-function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 function summary({ sizes, position, rotation }: Block): string {
