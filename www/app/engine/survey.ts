@@ -81,7 +81,7 @@ export function survey<Answer>(
       ask(sources);
     },
     stop() {
-      controller.abort(new DOMException("Stopped by the reader.", "AbortError"));
+      controller.abort();
       controller = new AbortController();
     },
   };

@@ -126,7 +126,7 @@ export async function rebuild(results: SharedResults, wanted: Wanted): Promise<v
   };
   const own: Rebuilding = {
     awaited: new Set(results.claims.filter((claim) => wanted.fits.includes(claim) || (places.includes(claim.model) && isAlong(claim)))),
-    stop: () => controller.abort(new DOMException("Stopped by the reader.", "AbortError")),
+    stop: () => controller.abort(),
   };
   rebuilding.value = own;
   try {

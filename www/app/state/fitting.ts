@@ -114,7 +114,7 @@ export async function fitModels(jobs: readonly FitJob[], { signal: stopped, quie
       model,
       request,
       state: signal<FitState>({ kind: "queued" }),
-      stop: () => controller.abort(new DOMException("Stopped by the reader.", "AbortError")),
+      stop: () => controller.abort(),
     };
     return { fit, signal: controller.signal };
   });

@@ -32,7 +32,7 @@ export function scoreAll(entries: readonly ModelEntry[]): void {
 
 /** Stops everything under way. What is scored stays. */
 export function cancelScoring(): void {
-  controller.abort(new DOMException("Stopped by the reader.", "AbortError"));
+  controller.abort();
   controller = new AbortController();
 }
 
