@@ -3,7 +3,7 @@
 import { scene } from "../state/scene";
 import { selectedPrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
-import { drawingOrder, labelling, labelsOf, partnersOf, segmentationOf } from "./colouring";
+import { labelling, labelsOf, partnersOf, segmentationOf } from "./colouring";
 import { colourMode, sides } from "./display";
 import { reports } from "./reports";
 
@@ -19,9 +19,8 @@ export function frame(view: PointView, ref: PrimitiveRef): boolean {
   const segmentation = name && segmentationOf(state.scene, name);
   if (!name || !segmentation || place === undefined) return false;
   const side = at === 0 ? 0 : 1;
-  // The labels of some colourings tell outcomes, not primitives.
-  const order = [...drawingOrder(name, reports.peek(), segmentation).filter((other) => other !== place), place];
-  view.setLabels(side, labelsOf(segmentation, state.scene.positions.length / 3, order));
+  // The labels of some colourings tell outcomes, and a point that several primitives list has that of one of them.
+  view.setLabels(side, labelsOf(segmentation, state.scene.positions.length / 3, [place]));
   view.fitLabels(side, [place + 1]);
   const now = { scene: state.scene, reports: reports.peek(), selected: selectedPrimitive.peek() };
   view.setLabels(side, labelling(colourMode.peek(), name, now).labels);
