@@ -25,8 +25,7 @@ export function LassoLayer({ view }: { view: PointView }): JSX.Element {
   const rectangle = useSignal<Rectangle | undefined>(undefined);
   const pointing = useRef(false);
   const keys = useId();
-  const size = { width: view.canvas.clientWidth, height: view.canvas.clientHeight };
-  const corners = rectangle.value ? cornersOf(rectangle.value, size) : curve.value;
+  const corners = rectangle.value ? cornersOf(rectangle.value, sizeOf(view)) : curve.value;
 
   const key = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -42,7 +41,7 @@ export function LassoLayer({ view }: { view: PointView }): JSX.Element {
     event.preventDefault();
     event.stopPropagation();
     rectangle.value = after;
-    if (cuts) cutAlong(view, cornersOf(after, size));
+    if (cuts) cutAlong(view, cornersOf(after, sizeOf(view)));
   };
 
   return (
@@ -97,8 +96,7 @@ function Inside({ view, rectangle }: { view: PointView; rectangle: Rectangle }):
   const seen = reach.value === "seen";
   useEffect(() => {
     const timer = setTimeout(() => {
-      const { clientWidth: width, clientHeight: height } = view.canvas;
-      const inside = view.pointsIn(0, { kind: "polygon", corners: cornersOf(rectangle, { width, height }) }, seen);
+      const inside = view.pointsIn(0, { kind: "polygon", corners: cornersOf(rectangle, sizeOf(view)) }, seen);
       said.value = `${wordsFor(rectangle)}: ${format.plural(inside.length, "point")} inside.`;
     }, COUNT_AFTER_MS);
     return () => clearTimeout(timer);
@@ -110,11 +108,16 @@ function Inside({ view, rectangle }: { view: PointView; rectangle: Rectangle }):
   );
 }
 
+/** In pixels of the page. */
+function sizeOf({ canvas }: PointView): { width: number; height: number } {
+  return { width: canvas.clientWidth, height: canvas.clientHeight };
+}
+
 function cutAlong(view: PointView, corners: readonly Corner[]): void {
   const result = made.value?.result;
-  const { clientWidth: width, clientHeight: height } = view.canvas;
-  if (!result || making.value || height === 0) return;
-  const lasso = lassoOf(corners, { width, height, camera: view.camera, centre: result.centre });
+  const size = sizeOf(view);
+  if (!result || making.value || size.height === 0) return;
+  const lasso = lassoOf(corners, { ...size, camera: view.camera, centre: result.centre });
   if (!lasso) return;
   const hit = view.pointsIn(0, { kind: "polygon", corners }, reach.value === "seen");
   if (hit.length === 0) return;
