@@ -21,19 +21,20 @@ export function listParts(): Promise<void> {
 /** Has a sample on the page, made anew unless it is there. Says so where it cannot be made. */
 export async function makeSample(part: string, options: SampleOptions, how: Entrance = "shown", stopped?: AbortSignal): Promise<void> {
   const origin = { kind: "sample", part, options } as const;
-  if (isHere(origin, how)) return;
+  if (keepIfHere(origin, how)) return;
   try {
     const name = nameOfSample(origin);
     const { files } = await engine.run((api) => api.generate(part, options, name), stopped ? { signal: stopped } : {});
     // It may have been asked for twice.
-    if (!isHere(origin, how)) addMade(name, origin, files, how);
+    if (!keepIfHere(origin, how)) addMade(name, origin, files, how);
   } catch (error) {
     if (stopped?.aborted) return;
     notify(`The sample could not be made: ${error instanceof Error ? error.message : String(error)}`, "error");
   }
 }
 
-function isHere(origin: SampleOrigin, how: Entrance): boolean {
+/** Keeps the sample where it is on the page already; the result is whether it is. */
+function keepIfHere(origin: SampleOrigin, how: Entrance): boolean {
   const known = models.value.find((entry) => isSameSample(entry.origin, origin));
   if (known) keepMade(known.id, how);
   return known !== undefined;
