@@ -50,7 +50,7 @@ export function close(): void {
 /** Gives up making the present case, which takes too long. */
 export function stop(): void {
   session?.worker.terminate();
-  start();
+  session = start();
   batch(() => {
     making.value = false;
     failure.value = "It was stopped. Undo the last step, or change something to try again.";
@@ -84,7 +84,6 @@ function start(): Session {
     }),
   };
   worker.addEventListener("error", (event) => tell(new Error(event.message || "The engine could not be started.")));
-  session = own;
   // Asked before the case: one that takes long, and is stopped, must not leave the forms empty.
   if (stock.peek().shapes.length === 0) void engine.stock().then((found) => (stock.value = found), tell);
   return own;
