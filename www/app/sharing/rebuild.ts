@@ -62,12 +62,9 @@ export interface Wanted {
 }
 
 /** What of a link nobody has had again yet. */
-export function restOf({ models: shared, claims }: SharedResults): Wanted {
-  const open = new Set(judged.value.filter(({ verdict }) => verdict.kind === "claimed" || verdict.kind === "other files").map(({ claim }) => claim));
-  const fits = claims.filter((claim) => {
-    const model = shared[claim.model];
-    return claim.fitted && model && open.has(claim) && isRecomputable(claim, model);
-  });
+export function restOf({ models: shared }: SharedResults): Wanted {
+  const open = judged.value.filter(({ verdict }) => verdict.kind === "claimed" || verdict.kind === "other files");
+  const fits = open.filter(({ claim, model }) => claim.fitted && isRecomputable(claim, model)).map(({ claim }) => claim);
   return { models: absentAmong(shared, [...shared.keys()]), fits };
 }
 
