@@ -2,12 +2,13 @@
 
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
+import type { DatasetStatistics } from "../engine/contract";
 import { models } from "../state/models";
 import * as format from "../ui/format";
+import { Icon } from "../ui/icon";
 import { ModelsTable } from "./models-table";
 import { SpreadChart, type Figure } from "./spread-chart";
-import { Icon } from "../ui/icon";
-import { countAgain, counted, counts, follow, sums, uncounted } from "./state";
+import { countAgain, counts, follow, sums, uncounted } from "./state";
 import { TypeBars } from "./type-bars";
 import "./statistics.css";
 
@@ -46,15 +47,12 @@ export default function Statistics(): JSX.Element {
   const progress = counts.progress.value;
   const known = sums.value;
   const several = (known?.sets.length ?? 0) > 1;
-  const [only] = known?.sets ?? [];
-  // Too many sets are drawn as one.
-  const drawn = several || !only ? counted.value : counted.value.map((model) => ({ ...model, set: only.name }));
   return (
     <div class="statistics">
       <header>
         <h2>Dataset statistics</h2>
         <p role="status">
-          {known && summary()}
+          {known && summaryOf(known.all)}
           {uncounted.value.length > 0 && `; ${format.plural(uncounted.value.length, "model")} could not be counted`}
         </p>
         {progress && <progress aria-label="Models counted" value={progress.done} max={progress.total} />}
@@ -69,11 +67,11 @@ export default function Statistics(): JSX.Element {
                 <TypeBars key={set.name} set={set} only={!several} />
               ))}
             {FIGURES.map((figure) => (
-              <SpreadChart key={figure.id} figure={figure} models={drawn} sets={known.sets} />
+              <SpreadChart key={figure.id} figure={figure} models={known.models} sets={known.sets} />
             ))}
           </div>
           <div class="statistics-table" role="region" aria-label="Models" tabIndex={0}>
-            <ModelsTable models={counted.value} all={known.all} several={several} />
+            <ModelsTable models={known.models} all={known.all} several={several} />
           </div>
         </>
       ) : (
@@ -107,9 +105,7 @@ function Uncounted(): JSX.Element | null {
   );
 }
 
-function summary(): string {
-  const all = sums.value?.all;
-  if (!all) return "";
+function summaryOf(all: DatasetStatistics): string {
   const share = all.unsegmented;
   const unsegmented = share === null ? "" : share === 0 ? ", every point in a primitive" : `, ${format.share(share)} of the points in no primitive`;
   return `${format.plural(all.models, "model")}, ${format.plural(all.points, "point")}, ${format.plural(all.primitives, "true primitive")}${unsegmented}`;

@@ -18,34 +18,33 @@ export interface CountedModel {
   readonly statistics: ModelStatistics;
 }
 
+const truths = computed(() => models.value.map(({ id, origin, source }) => ({ id, origin, truth: truthOnly(source) })));
+
 const setOf = computed(() => {
-  const places = models.value.map(({ id, source, origin }) => {
-    const own = source.files.filter(({ method }) => method === undefined);
-    const file = own.find(({ role }) => role === "cloud") ?? own[0];
+  const places = truths.value.map(({ id, origin, truth: { files } }) => {
+    const file = files.find(({ role }) => role === "cloud") ?? files[0];
     // Files made here have paths too, which say nothing of a set.
     return { id, path: origin.kind === "sample" ? undefined : file?.path };
   });
   return setsOf(places);
 });
 
-export const counted = computed<readonly CountedModel[]>(() =>
-  models.value.flatMap(({ id, source }) => {
-    const outcome = counts.outcomes.value.get(truthOnly(source).key);
-    return outcome?.kind === "answered" ? [{ id, set: setOf.value.get(id) ?? LOOSE, statistics: outcome.answer }] : [];
-  }),
+const outcomes = computed(() => truths.value.map(({ id, truth }) => ({ id, outcome: counts.outcomes.value.get(truth.key) })));
+
+const counted = computed<readonly CountedModel[]>(() =>
+  outcomes.value.flatMap(({ id, outcome }) =>
+    outcome?.kind === "answered" ? [{ id, set: setOf.value.get(id) ?? LOOSE, statistics: outcome.answer }] : [],
+  ),
 );
 
 /** Models that could not be counted, with the reason. */
 export const uncounted = computed<readonly { readonly id: string; readonly reason: string }[]>(() =>
-  models.value.flatMap(({ id, source }) => {
-    const outcome = counts.outcomes.value.get(truthOnly(source).key);
-    return outcome?.kind === "failed" ? [{ id, reason: outcome.message }] : [];
-  }),
+  outcomes.value.flatMap(({ id, outcome }) => (outcome?.kind === "failed" ? [{ id, reason: outcome.message }] : [])),
 );
 
 /** Tries once more to count what could not be counted. */
 export function countAgain(): void {
-  counts.retry(models.value.map(({ source }) => truthOnly(source)));
+  counts.retry(truths.value.map(({ truth }) => truth));
 }
 
 export interface CountedSet {
@@ -53,26 +52,33 @@ export interface CountedSet {
   readonly statistics: DatasetStatistics;
 }
 
-/** More sets than these would make a drawing each that nobody compares: then all are drawn as one. */
+export interface Sums {
+  /** What was summed up. */
+  readonly models: readonly CountedModel[];
+  readonly sets: readonly CountedSet[];
+  readonly all: DatasetStatistics;
+}
+
+export const sums = signal<Sums | undefined>(undefined);
+
+/** More sets than these would make a drawing each that nobody compares: then all are one. */
 const MOST_SETS = 4;
-export const ALL = "all models";
+const ALL = "all models";
 
-/** The sums, set by set unless there are too many to be drawn, and those of all models. */
-export const sums = signal<{ readonly sets: readonly CountedSet[]; readonly all: DatasetStatistics } | undefined>(undefined);
-
-const sumUp = latest(async (all: readonly CountedModel[]) => {
+const sumUp = latest(async (found: readonly CountedModel[]) => {
+  const setCount = new Set(found.map(({ set }) => set)).size;
+  const own = setCount > MOST_SETS ? found.map((model) => ({ ...model, set: ALL })) : found;
   const ask = (of: readonly CountedModel[]) => engine.run((api) => api.datasetStatistics(of.map(({ statistics }) => statistics)));
-  const names = [...new Set(all.map(({ set }) => set))];
-  const whole = await ask(all);
-  const sets = names.map(async (name) => ({ name, statistics: await ask(all.filter(({ set }) => set === name)) }));
-  sums.value = { sets: names.length > MOST_SETS ? [{ name: ALL, statistics: whole }] : await Promise.all(sets), all: whole };
+  const names = [...new Set(own.map(({ set }) => set))];
+  const sets = names.map(async (name) => ({ name, statistics: await ask(own.filter(({ set }) => set === name)) }));
+  sums.value = { models: own, sets: await Promise.all(sets), all: await ask(own) };
 });
 
 /** Counts the models on the page, and those that come, until the result is called. */
 export function follow(): () => void {
   const ends = [
     effect(() => {
-      const sources = models.value.map(({ source }) => truthOnly(source));
+      const sources = truths.value.map(({ truth }) => truth);
       queueMicrotask(() => counts.ask(sources));
     }),
     effect(() => {
