@@ -1,7 +1,7 @@
 // The link the page was opened with, and how far what is on the page bears it out.
 
 import { computed, effect, signal } from "@preact/signals";
-import { scoredRows, type ScoredRow } from "../state/models";
+import { models, scoredRows, type ScoredRow } from "../state/models";
 import { fingerprintsOf, type Fingerprints } from "./fingerprints";
 import { isShared } from "./fragment";
 import { judge, type Candidate, type Verdict } from "./judge";
@@ -31,7 +31,8 @@ export interface JudgedClaim {
   readonly verdict: Verdict;
 }
 
-const fingerprints = signal<ReadonlyMap<string, Fingerprints>>(new Map());
+/** Nothing where hashing failed. */
+const fingerprints = signal<ReadonlyMap<string, Fingerprints | undefined>>(new Map());
 const asked = new Set<string>();
 
 /** Named by content: the same rows of other files are others. */
@@ -46,26 +47,32 @@ effect(() => {
     const name = nameOf(row);
     if (asked.has(name)) continue;
     asked.add(name);
-    fingerprintsOf(row.entry.source.files, row.reports.method).then(
-      (found) => (fingerprints.value = new Map(fingerprints.peek()).set(name, found)),
+    const take = (found: Fingerprints | undefined) => (fingerprints.value = new Map(fingerprints.peek()).set(name, found));
+    fingerprintsOf(row.entry.source.files, row.reports.method).then(take, () => {
       // Asked for again when the models change.
-      () => asked.delete(name),
-    );
+      asked.delete(name);
+      take(undefined);
+    });
   }
 });
 
 export const judged = computed<readonly JudgedClaim[]>(() => {
   if (opened.value.kind !== "shared") return [];
-  const { claims, models, protocol } = opened.value.results;
+  const { claims, models: shared, protocol } = opened.value.results;
   const candidates = scoredRows.value.flatMap((row): Candidate[] => {
     const known = fingerprints.value.get(nameOf(row));
     return known ? [{ ...known, model: row.entry.id, report: row.reports[protocol] }] : [];
   });
   return claims.flatMap((claim, place) => {
-    const model = models[claim.model];
+    const model = shared[claim.model];
     return model ? [{ key: String(place), claim, model, verdict: judge(claim, model, candidates) }] : [];
   });
 });
+
+/** Whether anything on the page is still being scored or hashed, so that verdicts may change. */
+export const judging = computed(
+  () => models.value.some(({ status }) => status.kind === "waiting") || scoredRows.value.some((row) => !fingerprints.value.has(nameOf(row))),
+);
 
 /** How many claims there are of each verdict. */
 export const tally = computed(() => {

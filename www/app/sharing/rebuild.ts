@@ -11,7 +11,7 @@ import { fitModels, tellTally } from "../state/fitting";
 import { models, type ModelEntry, type Origin } from "../state/models";
 import { notify } from "../state/notices";
 import { capitalised, plural } from "../ui/format";
-import { judged, type JudgedClaim } from "./opened";
+import { judged, judging, type JudgedClaim } from "./opened";
 import type { Claim, SharedModel, SharedOrigin, SharedResults } from "./shared";
 
 /** The public repository has results of these for the test set. */
@@ -130,24 +130,22 @@ export async function rebuild(results: SharedResults, wanted: Wanted): Promise<v
     await makeAgain(results, places, wanted.shown, stopped);
     await fetchAgain(results, places, controller);
     await fitAgain(results, wanted.fits, stopped);
-    if (!stopped.aborted) await judgedOf(own.awaited);
+    if (!stopped.aborted) await judgedOf(own.awaited, stopped);
   } finally {
     if (rebuilding.value === own) rebuilding.value = undefined;
   }
 }
 
-/** What is here must still be scored and hashed; what could not be had never will be. */
-const JUDGING_MS = 1500;
-
-function judgedOf(claims: ReadonlySet<Claim>): Promise<void> {
+/** Resolves once there is a verdict on each claim, or none to come: what could not be had never gets one. */
+function judgedOf(claims: ReadonlySet<Claim>, stopped: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
-    const timer = setTimeout(end, JUDGING_MS);
-    const stop = effect(() => {
-      if (!judged.value.some(({ claim, verdict }) => claims.has(claim) && verdict.kind === "claimed")) queueMicrotask(end);
+    const end = effect(() => {
+      const open = judged.value.some(({ claim, verdict }) => claims.has(claim) && verdict.kind === "claimed");
+      if (!open || !judging.value) queueMicrotask(settle);
     });
-    function end(): void {
-      clearTimeout(timer);
-      stop();
+    stopped.addEventListener("abort", settle, { once: true });
+    function settle(): void {
+      end();
       resolve();
     }
   });
