@@ -5,13 +5,14 @@ import { basename, join } from "node:path";
 import { findings as table } from "../formats/findings.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
+import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect, reason, unusable } from "./inputs.mjs";
 import { eachModel, isOfTruth } from "./models.mjs";
 import { print, progress, warn } from "./terminal.mjs";
-import { UsageError, choice, readArguments } from "./usage.mjs";
+import { UsageError, readArguments } from "./usage.mjs";
 
 const OPTIONS = {
-  format: { type: "string", default: "table" },
+  ...FORMAT_OPTIONS,
   write: { type: "string" },
 };
 
@@ -21,7 +22,7 @@ export async function check(args) {
   if (positionals.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
   }
-  const format = choice("format", values.format, ["table", "json"]);
+  const format = formatOf(values, ["table", "json"]);
   const engine = await loadEngine();
 
   progress.show("looking for files");

@@ -6,6 +6,7 @@ import { align } from "../formats/align.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { fitAll } from "./fitting.mjs";
+import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect, reason } from "./inputs.mjs";
 import { METHODS, givenParameters, parameterOptions } from "./parameters.mjs";
 import { print, progress, warn } from "./terminal.mjs";
@@ -14,7 +15,7 @@ import { UsageError, choice, number, readArguments } from "./usage.mjs";
 const OPTIONS = {
   method: { type: "string" },
   out: { type: "string" },
-  json: { type: "boolean", default: false },
+  ...FORMAT_OPTIONS,
   seed: { type: "string", default: "1" },
 };
 
@@ -31,6 +32,7 @@ export async function fit(args) {
     throw new UsageError("choose a method: --method ht or --method pg");
   }
   const method = choice("method", values.method.toLowerCase(), METHODS);
+  const format = formatOf(values, ["table", "json"]);
   const seed = number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true });
   const parameters = givenParameters(options, method, values);
   if (positionals.length === 0) {
@@ -63,7 +65,7 @@ export async function fit(args) {
   if (models.length === 0) {
     warn("fit4cad fit: there was no cloud to fit; see fit4cad fit --help.");
   }
-  await print(values.json ? `${JSON.stringify(models, null, 2)}\n` : table(models));
+  await print(format === "json" ? `${JSON.stringify(models, null, 2)}\n` : table(models));
   const failed = models.length === 0 || problems.some(({ severity }) => severity === "error");
   return failed ? 1 : 0;
 }

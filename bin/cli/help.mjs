@@ -13,6 +13,9 @@ const fit4cad = () => `fit4cad: fit, score and make segmentations of CAD point c
   fit4cad COMMAND --help    what a command reads, prints and means
   fit4cad --version
 
+score, fit, check and stats print a table; with --format json, or --json for short, they print all
+they know, for programs.
+
 Try it on a model of your own making:
   fit4cad generate --list
   fit4cad generate flange --out demo
@@ -41,7 +44,7 @@ method's submission; files in other folders are the truth. One of the two surfac
                           negatives are counted among the points listed by the truth only, and
                           the mean of d1 counts missing primitives as perfect.
   --format table          (default) one aligned row per model and method
-  --format json           everything, with one entry per primitive and the diagnostics
+  --format json           (--json) everything, with one entry per primitive and the diagnostics
   --format csv            one row per model and method, for a spreadsheet
   --format latex          a booktabs table like the paper's
   --format markdown       a table for a README or a discussion
@@ -94,18 +97,19 @@ Example:
 `;
 
 async function fit() {
-  return `fit4cad fit --method ht|pg [--out DIR] [--json] [--seed N] [parameters] PATH…
+  return `fit4cad fit --method ht|pg [--out DIR] [--format table|json] [--seed N] [parameters] PATH…
 
 Finds the primitives of every cloud in the given files, folders and zips: which points make up each,
 and its surface. Only the clouds (PC14.txt) are read; truth and submissions beside them are not.
 
-  --method ht    HT: votes in the space of a surface's parameters, a Hough transform
-  --method pg    PG: growing from neighbourhoods
-  --out DIR      writes each model's primitives, parametric and implicit file, in the folders
-                 DIR/pointCloud_primitives_HT and so on, where fit4cad score finds them
-  --json         one entry per model: name, points, seconds of fitting (without reading), and
-                 type, points and mean fitting error of each primitive
-  --seed N       of everything random (default 1); the same seed gives the same primitives
+  --method ht     HT: votes in the space of a surface's parameters, a Hough transform
+  --method pg     PG: growing from neighbourhoods
+  --out DIR       writes each model's primitives, parametric and implicit file, in the folders
+                  DIR/pointCloud_primitives_HT and so on, where fit4cad score finds them
+  --format table  (default) one row per model
+  --format json   (--json) one entry per model: name, points, seconds of fitting (without reading),
+                  and type, points and mean fitting error of each primitive
+  --seed N        of everything random (default 1); the same seed gives the same primitives
 
 Parameters, with the values allowed and the default:
 ${await parameterHelp()}
@@ -124,7 +128,7 @@ Checks every ground truth found in the given files, folders and zips: its files,
 the parametric and the implicit form of each primitive against each other.
 
   --format table  (default) one row per finding
-  --format json   for each model its findings, and the measurements of every primitive
+  --format json   (--json) for each model its findings, and the measurements of every primitive
   --write DIR     writes the surface files that need it with wrong vectors replaced by the exact
                   conversion of the form that fits; all other vectors keep every digit
 
@@ -155,7 +159,7 @@ Counts the models found in the given files, folders and zips: points, true primi
 the share of points that no primitive lists.
 
   --format table  (default) a row per model, their spread, and the paper's bar chart of types
-  --format json   the models and the set
+  --format json   (--json) the models and the set
   --format csv    one row per model, for a spreadsheet
 
 Example:

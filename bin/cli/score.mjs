@@ -5,13 +5,14 @@ import { corrections } from "./corrections.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { evaluate } from "./evaluate.mjs";
+import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect } from "./inputs.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, readArguments } from "./usage.mjs";
 
 const OPTIONS = {
   protocol: { type: "string", default: "definition" },
-  format: { type: "string", default: "table" },
+  ...FORMAT_OPTIONS,
   self: { type: "boolean", default: false },
   as: { type: "string", multiple: true, default: [] },
 };
@@ -23,7 +24,7 @@ export async function score(args) {
     throw new UsageError("give at least one file, folder or zip");
   }
   const protocol = choice("protocol", values.protocol, ["definition", "published"]);
-  const format = choice("format", values.format, Object.keys(FORMATS));
+  const format = formatOf(values, Object.keys(FORMATS));
   const overrides = corrections(values.as);
   const engine = await loadEngine();
 

@@ -3,20 +3,19 @@
 import { STATISTICS } from "../formats/statistics.mjs";
 import { inOneLine } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
+import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect } from "./inputs.mjs";
 import { eachModel, isOfTruth } from "./models.mjs";
 import { print, progress, warn } from "./terminal.mjs";
-import { UsageError, choice, readArguments } from "./usage.mjs";
-
-const OPTIONS = { format: { type: "string", default: "table" } };
+import { UsageError, readArguments } from "./usage.mjs";
 
 /** Counts what the models named by the arguments hold; gives the exit code. */
 export async function stats(args) {
-  const { values, positionals } = readArguments(args, OPTIONS);
+  const { values, positionals } = readArguments(args, FORMAT_OPTIONS);
   if (positionals.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
   }
-  const format = choice("format", values.format, Object.keys(STATISTICS));
+  const format = formatOf(values, Object.keys(STATISTICS));
   const engine = await loadEngine();
 
   progress.show("looking for files");

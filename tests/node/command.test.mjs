@@ -24,6 +24,8 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
     [["toString", "--help"], /no command "toString"/],
     [["score"], /at least one file/],
     [["score", ".", "--format", "xml"], /expected table, json, csv, latex, markdown/],
+    [["score", ".", "--json", "--format", "csv"], /--json and --format csv: expected one format/],
+    [["fit", ".", "--method", "ht", "--format", "csv"], /expected table, json/],
     [["score", ".", "--protocol", "mine"], /expected definition, published/],
     [["score", ".", "--colour"], /--colour/],
     [["fit"], /--method ht/],
@@ -40,6 +42,20 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
     assert.equal(out, "", args.join(" "));
     assert.match(err, expected);
   }
+});
+
+test("--json is short for --format json in every command that prints results", (t) => {
+  const root = folder(t, submitted("PC1", "MINE"));
+  const timeless = (text) => JSON.parse(text, (key, value) => (key === "seconds" ? 0 : value));
+  for (const command of [["score"], ["check"], ["stats"], ["fit", "--method", "ht"]]) {
+    const [long, short, both] = [["--format", "json"], ["--json"], ["--json", "--format=json"]].map((form) => fit4cad(...command, root, ...form));
+    assert.deepEqual([long.code, long.err, short.code, short.err], [0, "", 0, ""], command[0]);
+    assert.deepEqual(timeless(short.out), timeless(long.out), command[0]);
+    assert.deepEqual(timeless(both.out), timeless(long.out), command[0]);
+    assert.match(fit4cad(...command, root).out, /^\s*(model|.*\d+ model)/, `${command[0]} prints a table`);
+    assert.match(fit4cad(command[0], "--help").out, /--format json +\(--json\)/);
+  }
+  assert.match(fit4cad("--help").out, /--json for short/);
 });
 
 test("every listed part is generated, scores itself and comes out the same again", (t) => {
