@@ -46,6 +46,29 @@ test("every panel fits a phone and a wall", async ({ page }) => {
   }
 });
 
+test("on a phone the header is two rows, and all of it is reached by keyboard in the order in which it stands", async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  await open(page);
+  const header = page.getByRole("banner");
+  const height = (await header.boundingBox())?.height ?? Infinity;
+  expect(height).toBeLessThan(80);
+  const boxes = await header.locator("a, button").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+  const rowOf = (box: DOMRect) => Math.floor((box.y + box.height / 2) / (height / 2));
+  expect(boxes.map(rowOf)).toEqual([0, 0, 0, 0, 1, 1, 1, 1, 1]);
+  await page.getByRole("link", { name: "Skip to content" }).focus();
+  const links = ["Score", "Lessons", "Studio", "Statistics"].map((name) => header.getByRole("link", { name }));
+  const tools = ["Add data", "Share", "What the protocols are", /^Theme/, "Keyboard and help"].map((name) => header.getByRole("button", { name }));
+  const protocol = header.getByRole("radio", { name: "Definition" });
+  for (const each of [...links, ...tools.slice(0, 2), protocol, ...tools.slice(2)]) {
+    await page.keyboard.press("Tab");
+    await expect(each).toBeFocused();
+    await expect(each).toBeInViewport({ ratio: 1 });
+  }
+  await expectNoFindings(page, "phone");
+  await tools[0]?.press("Enter");
+  await expect(page.getByRole("dialog", { name: "Add data" })).toBeVisible();
+});
+
 test("everything can be reached and used by keyboard", async ({ page }) => {
   await open(page);
   await page.keyboard.press("Tab");

@@ -27,14 +27,8 @@ export function Header(): JSX.Element {
         </nav>
       )}
       <div class="bar-tools">
-        <button type="button" class="primary" onClick={() => (adding.value = true)}>
-          <Icon name="add" />
-          Add data
-        </button>
-        <button type="button" onClick={() => (sharing.value = true)}>
-          <Icon name="share" />
-          Share
-        </button>
+        <Tool icon="add" title="Add data" shortcut="O" primary onClick={() => (adding.value = true)} />
+        <Tool icon="share" title="Share" shortcut="S" onClick={() => (sharing.value = true)} />
         <ProtocolSwitch />
       </div>
       <div class="bar-icons">
@@ -50,6 +44,24 @@ export function Header(): JSX.Element {
         </button>
       </div>
     </header>
+  );
+}
+
+interface ToolProps {
+  readonly icon: IconName;
+  readonly title: string;
+  readonly shortcut: string;
+  readonly primary?: boolean;
+  readonly onClick: () => void;
+}
+
+/** Where there is little room it is its icon alone, whose name is the label. */
+function Tool({ icon, title, shortcut, primary = false, onClick }: ToolProps): JSX.Element {
+  return (
+    <button type="button" class={primary ? "primary" : undefined} aria-label={title} title={`${title} (${shortcut})`} onClick={onClick}>
+      <Icon name={icon} />
+      <span>{title}</span>
+    </button>
   );
 }
 
