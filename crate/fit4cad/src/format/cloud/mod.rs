@@ -75,6 +75,8 @@ impl<'a> Reader<'a> {
                 self.findings.add_whole(&NO_POINTS, String::new());
             }
         }
+        // The first rows may be shorter than the others, and the guess by them too large.
+        self.points.shrink_to_fit();
         let text = CloudText {
             numbering: Numbering::with_broken(self.rows(), self.broken),
             cloud: Cloud::new(self.points),
