@@ -201,6 +201,8 @@ impl<'a> Search<'a> {
             return None;
         }
         support.sort_unstable();
+        // There was room for a patch four times as large; candidates wait for each other in numbers.
+        support.shrink_to_fit();
         let error = self.error(&surface, &support);
         Some(Candidate {
             surface,

@@ -33,6 +33,7 @@ pub fn grow(
             next += 1;
         }
         region.sort_unstable();
+        region.shrink_to_fit();
         regions.push(region);
     }
     regions.sort_by_key(|region| (std::cmp::Reverse(region.len()), region[0]));
