@@ -30,6 +30,37 @@ const SIMPLE: f64 = 0.5;
 
 /// Finds surfaces by growing primitives, step by step as in the paper.
 pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
+    let order = detect::shuffled(search);
+    let regions = smooth_regions(search, &order, observer);
+    for (place, region) in regions.iter().enumerate() {
+        observer.progress(Stage::Find, 0.6 * place as f64 / regions.len() as f64)?;
+        refine(search, place, region, observer)?;
+    }
+    drop(regions);
+    // Sharp points on a primitive are its own by now, as growth follows a surface up to its edges.
+    // Faces so narrow that all of their points are sharp are left: regions too, of no simple class.
+    let left = regions::grow(&search.graph, &order, |i| search.is_explained(i));
+    drop(order);
+    for (place, region) in left.iter().enumerate() {
+        observer.progress(Stage::Find, 0.6 + 0.3 * place as f64 / left.len() as f64)?;
+        ransac::split(search, region, observer)?;
+    }
+    drop(left);
+    if search.scale.is_clean() {
+        leftovers::about_known_axes(search, observer)?;
+    }
+    if search.scale.shows_rows() {
+        leftovers::thin_faces(search, observer)?;
+    }
+    Ok(())
+}
+
+/// The regions between sharp points, grown from seeds in the given order.
+fn smooth_regions(
+    search: &Search<'_>,
+    order: &[u32],
+    observer: &mut dyn Observer,
+) -> Vec<Vec<u32>> {
     let parameters = search.parameters;
     let neighbours = Parameters::count(parameters.variation_neighbours);
     let values = variation::surface_variation(search.cloud.points(), &search.graph, neighbours);
@@ -41,8 +72,7 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
             threshold: threshold.value,
         });
     }
-    let order = detect::shuffled(search);
-    let regions = regions::grow(&search.graph, &order, |i| {
+    let regions = regions::grow(&search.graph, order, |i| {
         values[i as usize] > threshold.value
     });
     if observer.wants_trace() {
@@ -51,24 +81,7 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
             &regions,
         )));
     }
-    for (place, region) in regions.iter().enumerate() {
-        observer.progress(Stage::Find, 0.6 * place as f64 / regions.len() as f64)?;
-        refine(search, place, region, observer)?;
-    }
-    // Sharp points on a primitive are its own by now, as growth follows a surface up to its edges.
-    // Faces so narrow that all of their points are sharp are left: regions too, of no simple class.
-    let left = regions::grow(&search.graph, &order, |i| search.is_explained(i));
-    for (place, region) in left.iter().enumerate() {
-        observer.progress(Stage::Find, 0.6 + 0.3 * place as f64 / left.len() as f64)?;
-        ransac::split(search, region, observer)?;
-    }
-    if search.scale.is_clean() {
-        leftovers::about_known_axes(search, observer)?;
-    }
-    if search.scale.shows_rows() {
-        leftovers::thin_faces(search, observer)?;
-    }
-    Ok(())
+    regions
 }
 
 /// Region refinement: a region of a simple class gets its surface by least squares, started from
