@@ -17,6 +17,7 @@ pub mod axes;
 pub mod contest;
 pub mod detect;
 pub mod growing;
+pub mod holders;
 pub mod hough;
 pub mod least_squares;
 pub mod local;

@@ -6,6 +6,7 @@ use super::super::Candidate;
 use super::super::axes::direction_of;
 use super::super::contest::{Evidence, accept_winners};
 use super::super::detect;
+use super::super::holders::Holders;
 use super::super::profile;
 use super::super::progress::{Cancelled, Observer, Stage};
 use super::super::search::Search;
@@ -128,23 +129,20 @@ fn recurring(search: &Search<'_>) -> Vec<Direction> {
 /// the next. O(proposals × points of a thin face).
 fn grown(search: &mut Search<'_>, proposals: &[(u32, Surface)]) -> Vec<Candidate> {
     let mut tried: Vec<(Candidate, bool)> = Vec::new();
-    // The candidates through each point, ascending.
-    let mut through: Vec<Vec<u32>> = vec![Vec::new(); search.cloud.len()];
+    let mut through = Holders::with_room(search.cloud.len(), 0);
     for (seed, surface) in proposals {
         let on = |index: &&u32| surface.distance(search.point(**index)) <= search.scale.tolerance;
         let around: Vec<u32> = search.graph.of(*seed).iter().filter(on).copied().collect();
-        let is_grown = |&place: &u32| {
+        let is_grown = |place: u32| {
             let (other, is_fuzzy) = &tried[place as usize];
-            let holds = |&index: &u32| through[index as usize].binary_search(&place).is_ok();
+            let holds = |index: &u32| other.support.binary_search(index).is_ok();
             other.surface.kind() == surface.kind() && (*is_fuzzy || around.iter().all(holds))
         };
-        if through[*seed as usize].iter().any(is_grown) {
+        if through.of(*seed).any(is_grown) {
             continue;
         }
         if let Some(candidate) = search.grow(surface, &[*seed]) {
-            for &index in &candidate.support {
-                through[index as usize].push(tried.len() as u32);
-            }
+            through.add(tried.len() as u32, &candidate.support);
             let is_fuzzy = search.has_fuzzy_border(&candidate);
             tried.push((candidate, is_fuzzy));
         }

@@ -11,6 +11,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::cloud::neighbours::Neighbour;
 use crate::cloud::{Direction, Vector};
+use crate::fit::holders::Holders;
 use crate::fit::{Candidate, Search};
 use crate::surface::{Surface, across};
 
@@ -162,6 +163,7 @@ fn widest_gap(steps: &[Step]) -> (f64, f64, f64) {
 #[derive(Debug, Clone)]
 pub struct Borders {
     state: Vec<State>,
+    /// The accepted surfaces through each point.
     holders: Holders,
     /// Whether each accepted surface is certain by itself, without its neighbours.
     certain: Vec<bool>,
@@ -182,51 +184,13 @@ enum State {
     Settled,
 }
 
-/// The accepted surfaces that hold each point, as lists in one arena.
-#[derive(Debug, Clone)]
-struct Holders {
-    first: Vec<u32>,
-    entries: Vec<(u32, u32)>,
-}
-
-impl Holders {
-    fn new(count: usize) -> Self {
-        Self {
-            first: vec![u32::MAX; count],
-            entries: Vec::new(),
-        }
-    }
-
-    fn add(&mut self, surface: u32, support: &[u32]) {
-        for &index in support {
-            let first = &mut self.first[index as usize];
-            let before = std::mem::replace(first, self.entries.len() as u32);
-            self.entries.push((surface, before));
-        }
-    }
-
-    fn of(&self, index: u32) -> impl Iterator<Item = u32> + '_ {
-        let mut next = self.first[index as usize];
-        std::iter::from_fn(move || {
-            let &(surface, following) = self.entries.get(next as usize)?;
-            next = following;
-            Some(surface)
-        })
-    }
-
-    /// Whether the edge between two border points of a surface belongs to no other.
-    fn is_open(&self, surface: u32, a: u32, b: u32) -> bool {
-        let mut others = self.of(a).filter(|&other| other != surface);
-        !others.any(|other| self.of(b).any(|it| it == other))
-    }
-}
-
 impl Borders {
     /// Looks at every point. O(n).
     pub fn of(search: &Search<'_>) -> Self {
+        let held = search.accepted().iter().map(|face| face.support.len());
         let mut borders = Self {
             state: vec![State::Unexplained; search.cloud.len()],
-            holders: Holders::new(search.cloud.len()),
+            holders: Holders::with_room(search.cloud.len(), held.sum()),
             certain: vec![true; search.accepted().len()],
             since: vec![0; search.cloud.len()],
             exact: exact(search),
@@ -259,7 +223,7 @@ impl Borders {
 
     fn is_open(&self, surface: u32, point: &BorderPoint) -> bool {
         let mut along = point.along.iter();
-        along.any(|&next| self.holders.is_open(surface, point.index, next))
+        along.any(|&next| is_open_edge(&self.holders, surface, point.index, next))
     }
 
     /// Notes that a surface has been accepted, the last: it closes borders of others and has its own.
@@ -348,6 +312,12 @@ impl Borders {
     }
 }
 
+/// Whether the edge between two border points of a surface belongs to no other.
+fn is_open_edge(holders: &Holders, surface: u32, a: u32, b: u32) -> bool {
+    let mut others = holders.of(a).filter(|&other| other != surface);
+    !others.any(|other| holders.of(b).any(|it| it == other))
+}
+
 /// How exact a thin face of a cloud must be. Of the narrow pieces that pass within the tolerance
 /// through a few rows of points, true faces are as exact as all the others of their cloud.
 pub fn exact(search: &Search<'_>) -> f64 {
@@ -384,13 +354,12 @@ mod tests {
 
     #[test]
     fn an_edge_is_closed_once_two_surfaces_hold_both_its_ends() {
-        let mut holders = Holders::new(4);
+        let mut holders = Holders::with_room(4, 0);
         holders.add(0, &[0, 1, 2]);
         holders.add(1, &[1, 3]);
-        assert!(holders.is_open(0, 1, 2));
+        assert!(is_open_edge(&holders, 0, 1, 2));
         holders.add(2, &[1, 2]);
-        assert!(!holders.is_open(0, 1, 2));
-        assert_eq!(holders.of(1).collect::<Vec<_>>(), [2, 1, 0]);
+        assert!(!is_open_edge(&holders, 0, 1, 2));
     }
 
     #[test]
@@ -398,7 +367,7 @@ mod tests {
         let open = |owner| vec![State::Open(owner, [0, 0]); 5];
         let borders = Borders {
             state: [open(0), open(1), vec![State::Settled; 5]].concat(),
-            holders: Holders::new(15),
+            holders: Holders::with_room(15, 0),
             certain: vec![true; 2],
             since: vec![0; 15],
             exact: 0.0,
