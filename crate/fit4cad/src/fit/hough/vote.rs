@@ -109,6 +109,9 @@ impl Spaces {
     }
 }
 
+/// A voter and its coordinates on a rung.
+type Placed = (u32, [f64; 3]);
+
 struct Climb<'a, 'o> {
     spaces: &'a Spaces,
     kind: SurfaceType,
@@ -131,8 +134,18 @@ impl Climb<'_, '_> {
             return;
         };
         let region = self.spaces.region;
-        // Coordinates of each voter; those without any, or outside the region, drop out.
-        let placed: Vec<(u32, [f64; 3])> = voters
+        for share in self.shares(rung, voters, settled) {
+            let (voters, at): (Vec<u32>, Vec<[f64; 3]>) = share.into_iter().unzip();
+            let settled = region.settle(rung, consensus(rung, at), settled);
+            self.rung(rest, voters, &settled);
+        }
+    }
+
+    /// The voters of each significant peak of a rung with their coordinates on it. Those without any,
+    /// or outside the region, drop out.
+    fn shares(&mut self, rung: Rung, voters: Vec<u32>, settled: &Settled) -> Vec<Vec<Placed>> {
+        let region = self.spaces.region;
+        let placed: Vec<Placed> = voters
             .iter()
             .filter_map(|&voter| {
                 let vote = &self.votes[voter as usize];
@@ -140,18 +153,14 @@ impl Climb<'_, '_> {
                 Some((voter, at))
             })
             .collect();
-        let shares = if rung == Rung::Direction {
+        drop(voters);
+        if rung == Rung::Direction {
             let cell = |at: &[f64; 3]| self.spaces.directions.cell(&Vector::from(*at));
             self.split(&self.spaces.directions, rung, settled, &placed, cell)
         } else {
             let grid: Grid = region.grid(rung);
             let cell = |at: &[f64; 3]| grid.cell(at);
             self.split(&grid, rung, settled, &placed, cell)
-        };
-        for share in shares {
-            let (voters, at): (Vec<u32>, Vec<[f64; 3]>) = share.into_iter().unzip();
-            let settled = region.settle(rung, consensus(rung, at), settled);
-            self.rung(rest, voters, &settled);
         }
     }
 
@@ -161,9 +170,9 @@ impl Climb<'_, '_> {
         space: &S,
         rung: Rung,
         settled: &Settled,
-        placed: &[(u32, [f64; 3])],
+        placed: &[Placed],
         cell: impl Fn(&[f64; 3]) -> Option<usize>,
-    ) -> Vec<Vec<(u32, [f64; 3])>> {
+    ) -> Vec<Vec<Placed>> {
         let ballots = (0_u32..)
             .zip(placed)
             .filter_map(|(position, (_, at))| {
