@@ -191,6 +191,27 @@ test("a link's sample stands beside another of its part; one stop ends its fits,
   await expect(row(page, `${part}-seed9`)).toHaveCount(7);
 });
 
+test("fits of a link that fail tell why, and are offered again", async ({ page }) => {
+  await open(page);
+  const wrong = (method: string, parameters: Record<string, number>) => ({ method, submission: "0123456789abcdef", fitted: { method: "pg" as const, seed: 1, parameters } });
+  const fits = [wrong("PG", { smallest: 5.5 }), wrong("PG 2", { smallest: 5.5, tolerance: 0.01 }), wrong("PG 3", { wisdom: 1 })];
+  const link = tampered(await linkOf(page), (results) => ({
+    ...results,
+    claims: [...results.claims, ...fits.flatMap((fit) => results.claims.map((claim) => ({ ...claim, ...fit })))],
+  }));
+  await openLink(page, link);
+  const banner = page.locator(".banner");
+  await expect(banner).toContainText("3 whose fit failed. PG of bracket and 1 more: `smallest` must be a whole number");
+  await expect(banner).toContainText("(1 other reason: see the figures)");
+  const reasons = page.getByRole("list", { name: "Fits that failed" }).getByRole("listitem");
+  await expect(reasons).toHaveText([/^PG of bracket and 1 more: `smallest` must be a whole number.*not 5\.5/, /^PG 3 of bracket: there is no parameter `wisdom`/]);
+  await expect(claims(page).filter({ hasText: "fit failed" })).toHaveCount(3);
+  await picture(page, "shared-failed");
+  await banner.getByRole("button", { name: "Repeat 3 fits" }).click();
+  await expect(page.locator(".notice")).toHaveText("0 of 3 fits of the link repeated here; 3 failed.");
+  await expect(banner).toContainText("3 whose fit failed");
+});
+
 test("a damaged link says so, and the page works on", async ({ page }) => {
   await open(page);
   const link = await linkOf(page);

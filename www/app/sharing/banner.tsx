@@ -5,7 +5,7 @@ import { goToPanel } from "../shell/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
-import { rebuild, rebuilding, recomputingOf, restOf, stopRebuilding, workOf } from "./rebuild";
+import { failed, fitsOf, rebuild, rebuilding, recomputingOf, restOf, stopRebuilding, workOf, type Recomputing } from "./rebuild";
 import type { SharedResults } from "./shared";
 
 export function SharedBanner(): JSX.Element | null {
@@ -121,16 +121,32 @@ export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Elem
     );
   }
   const open = judged.value.filter(({ verdict }) => verdict.kind === "claimed").map(recomputingOf);
-  const [underWay, notDone] = [open.filter((how) => how === "under way").length, open.filter((how) => how === "not done").length];
-  const toDrop = all - verified - underWay - notDone;
+  const count = (wanted: Recomputing) => open.filter((how) => how === wanted).length;
+  const [underWay, unfitted, notDone] = [count("under way"), count("failed"), count("not done")];
+  const toDrop = all - verified - underWay - unfitted - notDone;
   return (
     <>
       <strong>As claimed.</strong> {plural(all, "shared result")}
       {verified > 0 && `, ${verified} verified here`}
       {others > 0 && `, ${others} with other files`}
       {underWay > 0 && `, ${underWay} being recomputed`}
+      {unfitted > 0 && `, ${unfitted} whose fit failed`}
       {notDone > 0 && `, ${notDone} not recomputed`}.
       {toDrop > 0 && ` ${embedded ? "Open full" : "Drop the same files on the page"} to check ${toDrop < all ? "the rest" : "them"}.`}
+      <Failed />
+    </>
+  );
+}
+
+/** The first reason why a fit failed; the panel tells them all. */
+function Failed(): JSX.Element | null {
+  const [first, ...others] = failed.value;
+  if (!first) return null;
+  return (
+    <>
+      {" "}
+      {fitsOf(first)}: {first.reason}
+      {others.length > 0 && ` (${plural(others.length, "other reason")}: see the figures)`}
     </>
   );
 }

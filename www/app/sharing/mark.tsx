@@ -44,17 +44,27 @@ function lookOf(verdict: Verdict, recomputing: Recomputing): Look {
         meaning: "The link was made on a page that could not hash files, so it does not say which files it is about.",
       };
     case "claimed":
-      return { kind: "note", icon: "note", ...CLAIMED[recomputing] };
+      return CLAIMED[recomputing];
   }
 }
 
-const CLAIMED: Readonly<Record<Recomputing, Pick<Look, "text" | "meaning">>> = {
-  "under way": { text: "being recomputed", meaning: "The link says how this was made; it is being made again on this computer." },
+const NOTE = { kind: "note", icon: "note" } as const;
+
+const CLAIMED: Readonly<Record<Recomputing, Look>> = {
+  "under way": { ...NOTE, text: "being recomputed", meaning: "The link says how this was made; it is being made again on this computer." },
+  failed: {
+    kind: "error",
+    icon: "error",
+    text: "fit failed",
+    meaning: "The link says how this was fitted, but the fit failed on this computer. The reason is told above.",
+  },
   "not done": {
+    ...NOTE,
     text: "not recomputed",
     meaning: "The link says how this was made. It can be made again on this computer: press the button beside “As claimed” above.",
   },
   "not possible": {
+    ...NOTE,
     text: "as claimed",
     meaning: "Drop the ground truth and the submission on the page to have them scored and compared.",
   },

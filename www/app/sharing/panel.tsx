@@ -7,11 +7,12 @@ import { MEASURES } from "../measures/measures";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import { words } from "../ui/columns";
 import * as format from "../ui/format";
+import { Icon } from "../ui/icon";
 import { Table, type Column } from "../ui/table";
 import { VerdictMark } from "./mark";
 import type { Difference, Figure } from "./judge";
 import { judged, opened, type JudgedClaim } from "./opened";
-import { entryOf } from "./rebuild";
+import { entryOf, failed, fitsOf } from "./rebuild";
 
 function differenceIn({ verdict }: JudgedClaim, figure: Figure): Difference | undefined {
   return verdict.kind === "differs" ? verdict.differences.find((difference) => difference.figure === figure) : undefined;
@@ -83,26 +84,44 @@ export default function SharedPanel(): JSX.Element {
   if (opened.value.kind !== "shared") return <p class="empty">No link is open.</p>;
   const { protocol, engine } = opened.value.results;
   return (
-    <Table
-      className="scores claims"
-      caption={
-        <>
-          As claimed by a link, {protocol === "published" ? "as the published tables were made" : "by definition"}, with
-          engine {engine}. {format.plural(judged.value.length, "row")}.
-        </>
-      }
-      columns={COLUMNS}
-      rows={judged.value}
-      keyOf={({ key }) => key}
-      isSelected={({ model, claim }) =>
-        selectedModel.value !== undefined && entryOf(model)?.id === selectedModel.value && claim.method === selectedMethod.value
-      }
-      onSelect={({ model, claim }) => {
-        const entry = entryOf(model);
-        if (entry) selectModel(entry.id, claim.method);
-      }}
-      foot={<Means />}
-    />
+    <>
+      <Failures />
+      <Table
+        className="scores claims"
+        caption={
+          <>
+            As claimed by a link, {protocol === "published" ? "as the published tables were made" : "by definition"}, with
+            engine {engine}. {format.plural(judged.value.length, "row")}.
+          </>
+        }
+        columns={COLUMNS}
+        rows={judged.value}
+        keyOf={({ key }) => key}
+        isSelected={({ model, claim }) =>
+          selectedModel.value !== undefined && entryOf(model)?.id === selectedModel.value && claim.method === selectedMethod.value
+        }
+        onSelect={({ model, claim }) => {
+          const entry = entryOf(model);
+          if (entry) selectModel(entry.id, claim.method);
+        }}
+        foot={<Means />}
+      />
+    </>
+  );
+}
+
+/** Why fits could not be repeated. */
+function Failures(): JSX.Element | null {
+  if (failed.value.length === 0) return null;
+  return (
+    <ul class="failures" aria-label="Fits that failed">
+      {failed.value.map((failure) => (
+        <li key={failure.reason}>
+          <Icon name="error" />
+          <strong>{fitsOf(failure)}:</strong> {failure.reason}
+        </li>
+      ))}
+    </ul>
   );
 }
 

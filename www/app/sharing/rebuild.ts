@@ -1,13 +1,13 @@
 // Has the models of a link again without their files: samples are made, public models downloaded,
 // fits repeated. One stop ends all of it.
 
-import { effect, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { downloadModels } from "../public/download";
 import { publicBase } from "../public/source";
 import { SETS, type PublicModel } from "../public/catalogue";
 import { isSameSample } from "../samples/identity";
 import { makeSample } from "../samples/samples";
-import { fitModels, tellTally } from "../state/fitting";
+import { fitModels, tallyOf, tellTally } from "../state/fitting";
 import { models, type ModelEntry, type Origin } from "../state/models";
 import { notify } from "../state/notices";
 import { capitalised, plural } from "../ui/format";
@@ -97,12 +97,38 @@ export interface Rebuilding {
 
 export const rebuilding = signal<Rebuilding | undefined>(undefined);
 
+/** Why the fits of claims failed here. */
+const failures = signal<ReadonlyMap<Claim, string>>(new Map());
+
 /** How a claim that nothing here bears out yet stands. */
-export type Recomputing = "under way" | "not done" | "not possible";
+export type Recomputing = "under way" | "failed" | "not done" | "not possible";
 
 export function recomputingOf({ claim, model }: JudgedClaim): Recomputing {
   if (rebuilding.value?.awaited.has(claim)) return "under way";
+  if (failures.value.has(claim)) return "failed";
   return isRecomputable(claim, model) ? "not done" : "not possible";
+}
+
+export interface Failure {
+  readonly reason: string;
+  /** The claims whose fits failed for it. */
+  readonly rows: readonly JudgedClaim[];
+}
+
+/** Why what is claimed could not be fitted again, each reason once. */
+export const failed = computed<readonly Failure[]>(() => {
+  const byReason = new Map<string, JudgedClaim[]>();
+  for (const row of judged.value) {
+    const reason = row.verdict.kind === "claimed" && recomputingOf(row) === "failed" ? failures.value.get(row.claim) : undefined;
+    if (reason !== undefined) byReason.set(reason, [...(byReason.get(reason) ?? []), row]);
+  }
+  return Array.from(byReason, ([reason, rows]) => ({ reason, rows }));
+});
+
+/** Which fits failed for a reason: `PG of bracket and 2 more`. */
+export function fitsOf({ rows: [first, ...others] }: Failure): string {
+  const more = others.length > 0 ? ` and ${others.length} more` : "";
+  return `${first?.claim.method} of ${first?.model.name}${more}`;
 }
 
 /** Ends the making of samples, the download and the fits that a link asked for. What is here stays. */
@@ -110,7 +136,7 @@ export function stopRebuilding(): void {
   rebuilding.peek()?.stop();
 }
 
-/** Has again what is wanted and not here. What fails is told by its own part of the page; what became of the fits, in one sentence. */
+/** Has again what is wanted and not here. What fails is told by its own part of the page, and of fits by `failed`, too. */
 export async function rebuild(results: SharedResults, wanted: Wanted): Promise<void> {
   stopRebuilding();
   const places = absentAmong(results.models, wanted.models);
@@ -126,6 +152,8 @@ export async function rebuild(results: SharedResults, wanted: Wanted): Promise<v
     stop: () => controller.abort(),
   };
   rebuilding.value = own;
+  // Of another link, or about to be tried again.
+  failures.value = new Map([...failures.peek()].filter(([claim]) => results.claims.includes(claim) && !wanted.fits.includes(claim)));
   try {
     await makeAgain(results, places, wanted.shown, stopped);
     await fetchAgain(results, places, controller);
@@ -189,13 +217,20 @@ function isPublished({ method, fitted }: Claim): boolean {
 
 /** Fits of one model are in the order of the claims, in which they got their names. */
 async function fitAgain({ models: shared }: SharedResults, claims: readonly Claim[], stopped: AbortSignal): Promise<void> {
-  const jobs = claims.flatMap(({ model, fitted }) => {
-    const entry = shared[model] && entryOf(shared[model]);
-    return entry && fitted ? [{ model: entry.id, request: fitted }] : [];
+  const wanted = claims.flatMap((claim) => {
+    const model = shared[claim.model];
+    const entry = model && entryOf(model);
+    return entry && claim.fitted ? [{ claim, job: { model: entry.id, request: claim.fitted } }] : [];
   });
-  if (jobs.length === 0 || stopped.aborted) return;
-  const tally = await fitModels(jobs, { signal: stopped, quiet: true });
-  if (!tally) return notify("The fits of the link were not repeated: another fit is under way.");
-  const count = plural(jobs.length, "fit");
-  tellTally(`${tally.done === jobs.length ? count : `${tally.done} of ${count}`} of the link repeated here`, tally);
+  if (wanted.length === 0 || stopped.aborted) return;
+  const run = await fitModels(wanted.map(({ job }) => job), { signal: stopped, quiet: true });
+  if (!run) return notify("The fits of the link were not repeated: another fit is under way.");
+  const reasons = wanted.flatMap(({ claim }, at) => {
+    const state = run.fits[at]?.state.peek();
+    return state?.kind === "failed" ? [[claim, state.message] as const] : [];
+  });
+  failures.value = new Map([...failures.peek(), ...reasons]);
+  const tally = tallyOf(run);
+  const count = plural(wanted.length, "fit");
+  tellTally(`${tally.done === wanted.length ? count : `${tally.done} of ${count}`} of the link repeated here`, tally);
 }

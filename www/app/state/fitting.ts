@@ -103,10 +103,10 @@ export const fitProgress = computed<FitProgress | undefined>(() => {
 const madeWith = new Map<string, string>();
 
 /**
- * Does the fits; nothing where a run is under way. Resolves when all of them are done or stopped. Those of one model
- * are done one after the other, each knowing what the earlier ones are called.
+ * Does the fits, in the order of the jobs; nothing where a run is under way. Resolves when all of them are done or
+ * stopped. Those of one model are done one after the other, each knowing what the earlier ones are called.
  */
-export async function fitModels(jobs: readonly FitJob[], { signal: stopped, quiet = false }: FitOptions = {}): Promise<FitTally | undefined> {
+export async function fitModels(jobs: readonly FitJob[], { signal: stopped, quiet = false }: FitOptions = {}): Promise<FitRun | undefined> {
   if (fitProgress.peek()) return undefined;
   const begun = jobs.map(({ model, request }) => {
     const controller = new AbortController();
@@ -132,7 +132,7 @@ export async function fitModels(jobs: readonly FitJob[], { signal: stopped, quie
   await Promise.all(lanes.values());
   stopped?.removeEventListener("abort", stop);
   if (!quiet) tellEnd(run);
-  return tallyOf(run);
+  return run;
 }
 
 /** Stops every fit under way. What is fitted stays. */
@@ -169,7 +169,7 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
   }
 }
 
-function tallyOf({ fits }: FitRun): FitTally {
+export function tallyOf({ fits }: FitRun): FitTally {
   const count = (kind: FitState["kind"]) => fits.filter(({ state }) => state.peek().kind === kind).length;
   return { done: count("done"), stopped: count("stopped"), failed: count("failed") };
 }
