@@ -2,7 +2,7 @@
 
 import type { Report } from "../engine/contract";
 import type { ModelScene, SegmentationScene } from "../../worker/protocol";
-import { placeOfMatch } from "../state/matches";
+import { placeOfMatch, truthOfMatch } from "../state/matches";
 import type { PrimitiveRef, Side } from "../state/selection";
 import { bytes, MISCLASSIFIED, OUTCOME_COLOURS, segmentColour, UNSEGMENTED } from "../view/palette";
 
@@ -83,13 +83,7 @@ export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling
 export function drawingOrder(side: Side, reports: Reports, { primitives }: SegmentationScene): number[] {
   const places = primitives.map((_, place) => place);
   if (side === "truth") return places.reverse();
-  const report = reports[side];
-  const ranks = new Map<number, number>();
-  report?.primitives.forEach((_, truth) => {
-    const match = placeOfMatch(report, truth);
-    if (match !== undefined && !ranks.has(match)) ranks.set(match, truth);
-  });
-  const rank = (place: number) => ranks.get(place) ?? Infinity;
+  const rank = (place: number) => truthOfMatch(reports[side], place) ?? Infinity;
   // Those without a match lie below all others, the first of them on top.
   return places.sort((a, b) => (rank(a) === rank(b) ? b - a : rank(b) - rank(a)));
 }
@@ -105,13 +99,8 @@ export function labelsOf(segmentation: SegmentationScene, points: number, order:
 
 /** A prediction has the colour of the true primitive it is matched with; others have colours of their own. */
 export function predictionColours(report: Report | undefined, count: number): string[] {
-  const colours: string[] = [];
-  report?.primitives.forEach((_, truth) => {
-    const match = placeOfMatch(report, truth);
-    if (match !== undefined) colours[match] ??= segmentColour(truth);
-  });
   const first = report?.primitives.length ?? 0;
-  return Array.from({ length: count }, (_, place) => colours[place] ?? segmentColour(first + place));
+  return Array.from({ length: count }, (_, place) => segmentColour(truthOfMatch(report, place) ?? first + place));
 }
 
 /** Colour of every label of a side: unsegmented, then the primitives in their order. */
@@ -160,9 +149,7 @@ function outcome(side: Side, { scene, reports, selected }: Shown, points: number
 export type Partners = Readonly<Partial<Record<Side, number>>>;
 
 export function partnersOf(reports: Reports, { side, index }: PrimitiveRef): Partners {
-  const own = side === "truth" ? undefined : reports[side];
-  const found = own?.primitives.findIndex((_, place) => placeOfMatch(own, place) === index) ?? -1;
-  const truth = side === "truth" ? index : found < 0 ? undefined : found;
+  const truth = side === "truth" ? index : truthOfMatch(reports[side], index);
   const matchIn = (report: Report | undefined) => (report && truth !== undefined ? placeOfMatch(report, truth) : undefined);
   const [prediction, rival] = [matchIn(reports.prediction), matchIn(reports.rival)];
   return {
