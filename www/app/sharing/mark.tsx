@@ -2,7 +2,6 @@
 
 import type { JSX } from "preact";
 import { Icon, type IconName } from "../ui/icon";
-import type { Verdict } from "./judge";
 import type { JudgedClaim } from "./opened";
 import { recomputingOf, type Recomputing } from "./rebuild";
 
@@ -13,7 +12,8 @@ interface Look {
   readonly meaning: string;
 }
 
-function lookOf(verdict: Verdict, recomputing: Recomputing): Look {
+function lookOf(row: JudgedClaim): Look {
+  const { verdict } = row;
   switch (verdict.kind) {
     case "verified":
       return {
@@ -44,7 +44,7 @@ function lookOf(verdict: Verdict, recomputing: Recomputing): Look {
         meaning: "The link was made on a page that could not hash files, so it does not say which files it is about.",
       };
     case "claimed":
-      return CLAIMED[recomputing];
+      return CLAIMED[recomputingOf(row)];
   }
 }
 
@@ -71,7 +71,7 @@ const CLAIMED: Readonly<Record<Recomputing, Look>> = {
 };
 
 export function VerdictMark({ row }: { row: JudgedClaim }): JSX.Element {
-  const { kind, icon, text, meaning } = lookOf(row.verdict, recomputingOf(row));
+  const { kind, icon, text, meaning } = lookOf(row);
   return (
     <span class={`mark ${kind}`} title={meaning}>
       <Icon name={icon} />

@@ -12,7 +12,7 @@ import { protocol } from "../state/settings";
 import { readFragment } from "./codec/link";
 import { engineHere, opened, SHARED_PANEL } from "./opened";
 import { entryOf, isRebuildable, rebuild, stopRebuilding } from "./rebuild";
-import type { SharedModel, SharedResults } from "./shared";
+import type { SharedResults } from "./shared";
 
 /** More samples than this are not made unasked: a link must not keep the machine busy. */
 const MAX_SAMPLES = 12;
@@ -40,18 +40,15 @@ export async function openLink(fragment: string): Promise<boolean> {
 /** What the sharer looked at comes whole, with its fits; of the rest, unasked, only what is quickly made. */
 async function restore(results: SharedResults): Promise<void> {
   const shown = results.view?.model;
+  const looked = shown === undefined ? undefined : results.models[shown];
   const samples = results.models.flatMap(({ origin }, place) => (origin.kind === "sample" && place !== shown ? [place] : []));
   const stillShown = lookAgain(results);
   await rebuild(results, {
     models: [...(shown === undefined ? [] : [shown]), ...samples.slice(0, MAX_SAMPLES)],
     shown,
-    fits: results.claims.filter(({ model, fitted }) => fitted && model === shown && isMade(results.models[model])),
+    fits: looked && isRebuildable(looked) ? results.claims.filter(({ model, fitted }) => fitted && model === shown) : [],
   });
   if (stillShown()) look(results, "submissions");
-}
-
-function isMade(model: SharedModel | undefined): boolean {
-  return model !== undefined && isRebuildable(model);
 }
 
 /**

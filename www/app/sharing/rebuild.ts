@@ -143,12 +143,9 @@ export async function rebuild(results: SharedResults, wanted: Wanted): Promise<v
   if (places.length + wanted.fits.length === 0) return;
   const controller = new AbortController();
   const { signal: stopped } = controller;
-  const isAlong = (claim: Claim) => {
-    const model = results.models[claim.model];
-    return model !== undefined && comesAlong(claim, model);
-  };
+  const along = judged.peek().filter(({ claim, model }) => places.includes(claim.model) && comesAlong(claim, model));
   const own: Rebuilding = {
-    awaited: new Set(results.claims.filter((claim) => wanted.fits.includes(claim) || (places.includes(claim.model) && isAlong(claim)))),
+    awaited: new Set([...wanted.fits, ...along.map(({ claim }) => claim)]),
     stop: () => controller.abort(),
   };
   rebuilding.value = own;
