@@ -8,7 +8,7 @@ import type { PointView } from "../view/point-view";
 import { depthOf, lassoOf } from "./lasso";
 import { afterKey, cornersOf, MIDDLE, wordsFor, type Corner, type Rectangle } from "./rectangle";
 import { made, making } from "./state";
-import { cutAway, exactly, reach } from "./tools";
+import { cutAway, exactPointAt, reach } from "./tools";
 
 const ID = "lasso";
 
@@ -123,7 +123,7 @@ function cutAlong(view: PointView, corners: readonly Corner[]): void {
   if (hit.length === 0) return;
   if (reach.value === "through") return cutAway(lasso);
   // A little more than the deepest: what is seen must not stay for want of a digit.
-  const depths = Array.from(hit, (index) => depthOf(lasso, exactly(index) ?? lasso.target));
+  const depths = Array.from(hit, (index) => depthOf(lasso, exactPointAt(index) ?? lasso.target));
   const deepest = depths.reduce((most, depth) => Math.max(most, depth), -Infinity);
   cutAway({ ...lasso, depth: deepest + view.spacing / 4 });
 }

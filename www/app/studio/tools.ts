@@ -52,12 +52,12 @@ export function placeBallOn(point: number): void {
 /** Where a point of the case is, counted from 0, without digits that say nothing. */
 export function pointAt(index: number): Vector | undefined {
   const result = made.value?.result;
-  const place = exactly(index);
+  const place = exactPointAt(index);
   return result && place && rounded(place, result.diagonal);
 }
 
 /** The same as the engine has it, but for single precision. */
-export function exactly(index: number): Vector | undefined {
+export function exactPointAt(index: number): Vector | undefined {
   const result = made.value?.result;
   if (!result || index < 0 || 3 * index >= result.positions.length) return undefined;
   const { positions, centre } = result;

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import type { PointView } from "./point-view";
 import { STANDPOINTS } from "./types";
 
-/** For a view that is not there yet it cannot be chosen from. */
+/** Nothing can be chosen while there is no view. */
 export function LookFrom({ view }: { view: PointView | undefined }): JSX.Element {
   return (
     <label>
