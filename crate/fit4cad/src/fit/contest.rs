@@ -231,18 +231,21 @@ pub fn accept_winners(
         let Some(top) = open.first() else {
             return accepted;
         };
-        let contest: Vec<(f64, Candidate)> = open
+        let (places, contest): (Vec<usize>, Vec<(f64, &Candidate)>) = open
             .iter()
-            .filter(|other| shared(&top.candidate.support, &other.candidate.support))
-            .map(|other| (other.worth, other.candidate.clone()))
-            .collect();
-        let Some(winner) = search.best_of(contest) else {
+            .enumerate()
+            .filter(|(_, other)| shared(&top.candidate.support, &other.candidate.support))
+            .map(|(place, other)| (place, (other.worth, &other.candidate)))
+            .unzip();
+        let Some(best) = search.best_of(&contest) else {
             return accepted;
         };
-        let Some(place) = open.iter().position(|other| other.candidate == winner) else {
-            return accepted;
-        };
-        let Contender { border, proof, .. } = open.swap_remove(place);
+        let Contender {
+            candidate: winner,
+            border,
+            proof,
+            ..
+        } = open.swap_remove(places[best]);
         if !search.has_fuzzy_border(&winner) {
             if let Evidence::Borders(borders) = evidence {
                 // Candidates are fewer than points, which u32 counts.

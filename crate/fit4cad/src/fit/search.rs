@@ -294,13 +294,14 @@ impl<'a> Search<'a> {
 
     /// The best of several candidates for the same place: the one worth most; of those that are
     /// worth nearly as much, the simplest, unless its mean fitting error is clearly larger.
-    pub fn best(&self, candidates: Vec<Candidate>) -> Option<Candidate> {
-        let rated = candidates.into_iter().map(|c| (self.worth(&c), c));
-        self.best_of(rated.collect())
+    pub fn best(&self, mut candidates: Vec<Candidate>) -> Option<Candidate> {
+        let rated = candidates.iter().map(|c| (self.worth(c), c));
+        let place = self.best_of(&rated.collect::<Vec<_>>())?;
+        Some(candidates.swap_remove(place))
     }
 
-    /// As [`Search::best`], of candidates whose worth is given.
-    pub fn best_of(&self, rated: Vec<(f64, Candidate)>) -> Option<Candidate> {
+    /// As [`Search::best`], of candidates whose worth is given: the position of the best.
+    pub fn best_of(&self, rated: &[(f64, &Candidate)]) -> Option<usize> {
         let most = rated.iter().map(|(worth, _)| *worth).fold(0.0, f64::max);
         let least_error = rated
             .iter()
@@ -316,14 +317,15 @@ impl<'a> Search<'a> {
             }
         };
         rated
-            .into_iter()
-            .filter(|(worth, c)| *worth >= NEARLY * most && is_good(c))
-            .min_by(|(worth, a), (other, b)| {
+            .iter()
+            .enumerate()
+            .filter(|(_, (worth, c))| *worth >= NEARLY * most && is_good(c))
+            .min_by(|(_, (worth, a)), (_, (other, b))| {
                 self.rank(a.surface.kind())
                     .cmp(&self.rank(b.surface.kind()))
                     .then(other.total_cmp(worth))
             })
-            .map(|(_, candidate)| candidate)
+            .map(|(place, _)| place)
     }
 
     /// Order of simplicity: fewer degrees of freedom first. Within noise the order is that of how
