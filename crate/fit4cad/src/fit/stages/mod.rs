@@ -30,8 +30,11 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
     } else {
         smallest.max(SPLINTER)
     };
+    // Of a clean cloud small patches too may be halves of one that is not.
+    let alone = if search.scale.is_clean() { 1 } else { smallest };
+    let patches = patches(search, &kept, &labels, alone);
     let mut primitives: Vec<Primitive> = Vec::new();
-    for Patch { surface, points } in join_halves(search, patches(search, &kept, &labels)) {
+    for Patch { surface, points } in join_halves(search, patches) {
         if points.len() >= smallest {
             primitives.push(Primitive::on(surface, 0, points));
         }

@@ -32,8 +32,14 @@ pub struct Patch {
     pub points: Vec<u32>,
 }
 
-/// The patches of every surface.
-pub fn patches(search: &Search<'_>, candidates: &[Candidate], labels: &Labels) -> Vec<Patch> {
+/// The patches of every surface that have at least so many points. Where noise scatters a surface,
+/// nearly all of its pieces are single points.
+pub fn patches(
+    search: &Search<'_>,
+    candidates: &[Candidate],
+    labels: &Labels,
+    smallest: usize,
+) -> Vec<Patch> {
     let mut patches = Vec::new();
     let mut place = vec![u32::MAX; search.cloud.len()];
     for (surface, candidate) in (0u32..).zip(candidates) {
@@ -49,7 +55,8 @@ pub fn patches(search: &Search<'_>, candidates: &[Candidate], labels: &Labels) -
             points,
             place: &place,
         };
-        for points in face.connected() {
+        let pieces = face.connected().into_iter();
+        for points in pieces.filter(|points| points.len() >= smallest) {
             let own = points.iter().filter(|&&i| labels.of(i).len() == 1).count();
             let supported = points
                 .iter()
