@@ -12,7 +12,7 @@ use crate::cloud::{Direction, Vector};
 ///
 /// Cell `(face·edge + row)·edge + column` belongs to the face of the dominant component; rows and
 /// columns count the equiangular coordinates atan(v/w)·4/π of the two other components, cyclic in
-/// x → y → z. Takes about 200 bytes per cell of one edge: inside a face the neighbours follow from the
+/// x → y → z. Takes 750 bytes per cell along an edge: inside a face the neighbours follow from the
 /// numbers of the cells, and a list of them all would outweigh a small cloud and its neighbours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirectionSpace {

@@ -49,13 +49,11 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         angle_step: ANGLE_STEP,
     };
     // Narrow faces are narrower than the spacing, and so near each other.
-    let fine = Region {
-        length_step: (FINE * search.scale.spacing).max(4.0 * search.scale.tolerance),
-        ..region
-    };
+    let fine = (FINE * search.scale.spacing).max(4.0 * search.scale.tolerance);
+    let spaces = Spaces::new(region);
     let mut work = Work {
-        spaces: Spaces::new(region),
-        fine: Spaces::new(fine),
+        fine: spaces.with_length_step(fine),
+        spaces,
         recorder: Recorder::new(observer),
     };
     if search.scale.is_clean() {

@@ -5,6 +5,8 @@
 //! It lights one cell where a single point would light a hypersurface of them, so accumulators stay
 //! sparse and a peak of a few votes already stands out.
 
+use std::rc::Rc;
+
 use super::accumulator::{Accumulator, Ballot};
 use super::directions::DirectionSpace;
 use super::family::{Region, Rung, Settled, ladder, surface};
@@ -53,14 +55,25 @@ pub struct View<'a> {
 #[derive(Debug, Clone)]
 pub struct Spaces {
     region: Region,
-    directions: DirectionSpace,
+    directions: Rc<DirectionSpace>,
 }
 
 impl Spaces {
-    /// The spaces over a region. Allocates the direction space, O(1/angle_step²).
+    /// The spaces over a region. Allocates the direction space, O(1/angle_step).
     pub fn new(region: Region) -> Self {
-        let directions = DirectionSpace::new(region.angle_step);
+        let directions = Rc::new(DirectionSpace::new(region.angle_step));
         Self { region, directions }
+    }
+
+    /// The same with other cells of lengths; the directions are shared.
+    pub fn with_length_step(&self, length_step: f64) -> Self {
+        Self {
+            region: Region {
+                length_step,
+                ..self.region
+            },
+            directions: Rc::clone(&self.directions),
+        }
     }
 
     /// The region they discretise.
@@ -156,7 +169,7 @@ impl Climb<'_, '_> {
         drop(voters);
         if rung == Rung::Direction {
             let cell = |at: &[f64; 3]| self.spaces.directions.cell(&Vector::from(*at));
-            self.split(&self.spaces.directions, rung, settled, &placed, cell)
+            self.split(&*self.spaces.directions, rung, settled, &placed, cell)
         } else {
             let grid: Grid = region.grid(rung);
             let cell = |at: &[f64; 3]| grid.cell(at);
