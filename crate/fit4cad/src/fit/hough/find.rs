@@ -5,7 +5,7 @@ use super::family::Region;
 use super::noisy;
 use super::recurring::recurring_directions;
 use super::rounds::round;
-use super::solutions::{self, vote};
+use super::solutions;
 use super::trace::Recorder;
 use super::vote::{Spaces, Vote};
 use crate::fit::contest::Evidence;
@@ -117,7 +117,10 @@ impl Work<'_> {
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= coaxial::FEWEST {
                     let found = coaxial::coaxial(search, &axes, &patch).into_iter();
-                    votes.extend(found.map(|surface| vote(search, seed, surface)));
+                    votes.extend(found.map(|surface| Vote {
+                        surface,
+                        point: seed,
+                    }));
                 }
             })?;
         }
@@ -131,7 +134,10 @@ impl Work<'_> {
             let before = votes.len();
             if patch.len() >= 8 {
                 let found = coaxial::mixed_coaxial(search, &axes, &patch).into_iter();
-                votes.extend(found.map(|surface| vote(search, seed, surface)));
+                votes.extend(found.map(|surface| Vote {
+                    surface,
+                    point: seed,
+                }));
             }
             if votes.len() == before {
                 block(&patch, blocked);
@@ -261,7 +267,7 @@ impl Work<'_> {
         for size in 0..thin::SIZES.len() {
             let proposals = proposer.proposals(search, borders, size).into_iter();
             let votes: Vec<Vote> = proposals
-                .map(|(seed, surface)| vote(search, seed, surface))
+                .map(|(point, surface)| Vote { surface, point })
                 .collect();
             std::mem::swap(&mut self.spaces, &mut self.fine);
             accepted += round(search, self, &votes, &mut Evidence::Borders(borders));

@@ -26,7 +26,11 @@ pub fn round(
     };
     let mut summits: Vec<Summit> = Vec::new();
     for kind in SurfaceType::ALL {
-        summits.extend(work.spaces.climb(kind, votes, share, 1, &mut work.recorder));
+        let points = search.cloud.points();
+        summits.extend(
+            work.spaces
+                .climb(kind, votes, points, share, 1, &mut work.recorder),
+        );
     }
     summits.sort_by_key(|summit| std::cmp::Reverse(summit.voters.len()));
     let mut candidates: Vec<Candidate> = Vec::new();

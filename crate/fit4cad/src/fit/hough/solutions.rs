@@ -21,21 +21,19 @@ pub fn flat_vote(search: &Search<'_>, index: u32) -> Option<Vote> {
     let neighbours = search.graph.of(index).iter().take(FLAT);
     patch.extend(neighbours.map(|&neighbour| *search.point(neighbour)));
     let plane = flat(&patch, search.scale.tolerance)?;
-    Some(vote(search, index, plane))
-}
-
-/// A vote for a surface by the neighbourhood of a point.
-pub fn vote(search: &Search<'_>, index: u32, surface: Surface) -> Vote {
-    Vote {
-        surface,
+    Some(Vote {
+        surface: plane,
         point: index,
-        foot: *search.point(index),
-    }
+    })
 }
 
 /// The vote of a neighbourhood all of whose points lie on one simple surface.
 pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote> {
-    pure(search, patch).map(|surface| vote(search, index, surface))
+    let surface = pure(search, patch)?;
+    Some(Vote {
+        surface,
+        point: index,
+    })
 }
 
 /// The votes of a neighbourhood that may reach over edges: of each family the surface that most of
@@ -62,5 +60,8 @@ pub fn mixed_votes(
     }
     let most = best.iter().map(|(count, _)| *count).max().unwrap_or(0);
     let voted = best.into_iter().filter(|(count, _)| count + slack >= most);
-    found.extend(voted.map(|(_, surface)| vote(search, index, surface)));
+    found.extend(voted.map(|(_, surface)| Vote {
+        surface,
+        point: index,
+    }));
 }

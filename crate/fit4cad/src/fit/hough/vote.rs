@@ -24,8 +24,6 @@ pub struct Vote {
     pub surface: Surface,
     /// Index of the point in the middle of the neighbourhood.
     pub point: u32,
-    /// Where that point is.
-    pub foot: Point,
 }
 
 /// A peak at the top of a ladder.
@@ -87,11 +85,13 @@ impl Spaces {
     }
 
     /// All summits of a family: peaks whose persistence is at least `share` of the highest on
-    /// every rung, with at least `least` voters. Most voters first. O(v log v) per rung.
+    /// every rung, with at least `least` voters. Most voters first. `points` are those of the cloud,
+    /// which the votes point into. O(v log v) per rung.
     pub fn climb(
         &self,
         kind: SurfaceType,
         votes: &[Vote],
+        points: &[Point],
         share: f64,
         least: usize,
         recorder: &mut Recorder<'_>,
@@ -100,6 +100,7 @@ impl Spaces {
             spaces: self,
             kind,
             votes,
+            points,
             share,
             least: least.max(1),
             recorder,
@@ -129,6 +130,7 @@ struct Climb<'a, 'o> {
     spaces: &'a Spaces,
     kind: SurfaceType,
     votes: &'a [Vote],
+    points: &'a [Point],
     share: f64,
     least: usize,
     recorder: &'a mut Recorder<'o>,
@@ -162,7 +164,8 @@ impl Climb<'_, '_> {
             .iter()
             .filter_map(|&voter| {
                 let vote = &self.votes[voter as usize];
-                let at = region.coordinates(rung, &vote.surface, &vote.foot, settled)?;
+                let foot = self.points.get(vote.point as usize)?;
+                let at = region.coordinates(rung, &vote.surface, foot, settled)?;
                 Some((voter, at))
             })
             .collect();
@@ -268,16 +271,17 @@ mod tests {
     }
 
     fn vote(surface: Surface, point: u32) -> Vote {
-        let probe = Point::new(noise(7 * point), noise(7 * point + 1), noise(7 * point + 2));
-        Vote {
-            surface,
-            point,
-            foot: surface.foot(&probe),
-        }
+        Vote { surface, point }
     }
 
+    /// Climbs with points on the surfaces they vote for.
     fn climb(kind: SurfaceType, votes: &[Vote]) -> Vec<Summit> {
-        spaces().climb(kind, votes, 0.1, 3, &mut Recorder::new(&mut ()))
+        let foot = |vote: &Vote| {
+            let [x, y, z] = [0, 1, 2].map(|axis| noise(7 * vote.point + axis));
+            vote.surface.foot(&Point::new(x, y, z))
+        };
+        let points: Vec<Point> = votes.iter().map(foot).collect();
+        spaces().climb(kind, votes, &points, 0.1, 3, &mut Recorder::new(&mut ()))
     }
 
     #[test]
