@@ -5,37 +5,14 @@
 //! ```
 //! Memory is the most that the fit held at a time beyond the cloud itself, counted by the allocator.
 
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::error::Error;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Instant;
 
 use fit4cad::fit::{self, Method, Parameters};
 use fit4cad::sample::{self, Options};
 
-/// The system's allocator with a count of what is held, and of the most that ever was.
-struct Counting;
-
-static HELD: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call is passed on unchanged.
-#[allow(unsafe_code)]
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let held = HELD.fetch_add(layout.size(), Relaxed) + layout.size();
-        MOST.fetch_max(held, Relaxed);
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Relaxed);
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+#[path = "../tests/counting/mod.rs"]
+mod counting;
 
 /// Spacings, in diagonals, and the points they lead to are told apart by factors of about ten.
 const COARSEST: f64 = 0.0077;
@@ -49,12 +26,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let spacing = COARSEST * (coarse / goal).sqrt();
         let model = generate(&part, spacing)?;
         for (name, method) in [("ht", Method::Hough), ("pg", Method::Growing)] {
-            let before = HELD.load(Relaxed);
-            MOST.store(before, Relaxed);
             let start = Instant::now();
-            let fit = fit::fit(&model.cloud, method, &Parameters::default(), 1, &mut ())?;
+            let (fit, bytes) = counting::peak(|| {
+                fit::fit(&model.cloud, method, &Parameters::default(), 1, &mut ())
+            });
+            let fit = fit?;
             let seconds = start.elapsed().as_secs_f64();
-            let bytes = MOST.load(Relaxed) - before;
             let points = model.cloud.len();
             println!(
                 "{name:6} {points:>8} {:>10} {seconds:>8.2} {:>14.0}",
