@@ -23,7 +23,7 @@ use Piece::{Arc, Corner, Line};
 
 /// The combs: a name, the share of points kept along the rulings, and the profile of one groove,
 /// after which the heading is as before.
-const COMBS: [(&str, f64, &[Piece]); 8] = [
+const COMBS: [(&str, f64, &[Piece]); 10] = [
     ("tangent", 1.0, TANGENT),
     ("sharp", 1.0, SHARP),
     ("round", 1.0, ROUND),
@@ -32,6 +32,8 @@ const COMBS: [(&str, f64, &[Piece]); 8] = [
     ("sparse-tangent", 0.4, TANGENT),
     ("sparse-sharp", 0.4, SHARP),
     ("sparse-round", 0.4, ROUND),
+    ("toothed", 1.0, TOOTHED),
+    ("sparse-toothed", 0.35, TOOTHED),
 ];
 const TANGENT: &[Piece] = &[
     Line(2.1),
@@ -80,6 +82,19 @@ const WAVY: &[Piece] = &[
     Arc(3.0, 60.0),
     Arc(2.5, 60.0),
     Arc(1.7, -60.0),
+];
+/// Lands and roots so broad that they are known before the flanks between them.
+const TOOTHED: &[Piece] = &[
+    Line(9.0),
+    Arc(0.9, -58.0),
+    Arc(5.6, 21.0),
+    Arc(2.2, -20.0),
+    Corner(57.0),
+    Line(9.0),
+    Corner(57.0),
+    Arc(2.2, -20.0),
+    Arc(5.6, 21.0),
+    Arc(0.9, -58.0),
 ];
 /// Grooves in a row.
 const GROOVES: usize = 8;
@@ -187,6 +202,7 @@ fn comb(name: &str, kept: f64, groove: &[Piece]) -> Model {
 /// The two faces across the rulings, and the bottom and sides.
 fn caps(builder: &mut Builder, outline: &[Vec<u32>], path: &[[f64; 2]]) {
     let low = path.iter().map(|p| p[1]).fold(0.0, f64::min).floor() - 8.0;
+    let high = path.iter().map(|p| p[1]).fold(0.0, f64::max);
     let width = path.last().map_or(0.0, |p| p[0]);
     let columns = width.ceil() as u32;
     let across = |i: u32| f64::from(i) * width / f64::from(columns);
@@ -198,7 +214,7 @@ fn caps(builder: &mut Builder, outline: &[Vec<u32>], path: &[[f64; 2]]) {
         };
         let mut cap: Vec<u32> = outline.iter().filter_map(at_end).collect();
         for i in 0..=columns {
-            for j in 0..-(low as i32) {
+            for j in 0..(high - low).ceil() as u32 {
                 let (x, y) = (across(i), low + f64::from(j));
                 let clear = path.iter().all(|p| (p[0] - x).hypot(p[1] - y) > 0.8);
                 // Under the profile where it passes straight above.

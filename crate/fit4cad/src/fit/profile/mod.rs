@@ -17,10 +17,12 @@
 //! chains      rows → the order in which the profile runs through them
 //! recurring   rows, accepted cylinders → circles and radii that recur
 //! partition   places in order → lines and arcs
-//! sections    all of it → faces
+//! sections    all of it, and what is known
+//! faces       pieces → those that are proved
 //! ```
 
 mod chains;
+mod faces;
 mod partition;
 mod recurring;
 mod rulings;

@@ -162,12 +162,12 @@ fn from(centre: Place, place: Place) -> Place {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
     /// A profile that starts eastward at the origin: lines by their length, arcs by radius and angle,
     /// divided into so many steps.
-    fn profile(pieces: &[(f64, f64, u32)]) -> Vec<Place> {
+    pub fn profile(pieces: &[(f64, f64, u32)]) -> Vec<Place> {
         let (mut at, mut heading) = ([0.0f64, 0.0f64], 0.0f64);
         let mut places = vec![at];
         for &(size, turn, steps) in pieces {

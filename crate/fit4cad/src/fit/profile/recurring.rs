@@ -8,8 +8,8 @@ const ONE_CENTRE: f64 = 10.0;
 const OFF: f64 = 10.0;
 /// How far apart radii may be that are one, in tolerances: that of a short arc is not known well.
 const RADII: f64 = 30.0;
-/// Rulings that make a radius about a known centre recur.
-const VOTES: usize = 6;
+/// Rulings that make a radius about a known centre recur, and pieces that make a shape.
+pub const VOTES: usize = 6;
 
 /// Circles that recur.
 #[derive(Debug, Clone, Default)]

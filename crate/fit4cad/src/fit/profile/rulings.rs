@@ -37,11 +37,11 @@ pub struct Ruling {
 }
 
 impl Ruling {
-    /// Whether it runs beside another for at least half of the longer one's length.
+    /// Whether it runs beside another for most of its length, or the other's, which is not much longer.
     pub fn is_beside(&self, other: &Self) -> bool {
         let common = self.ends[1].min(other.ends[1]) - self.ends[0].max(other.ends[0]);
-        let longer = (self.ends[1] - self.ends[0]).max(other.ends[1] - other.ends[0]);
-        2.0 * common >= longer
+        let [one, two] = [self, other].map(|it| it.ends[1] - it.ends[0]);
+        4.0 * common >= 3.0 * one.min(two) && 3.0 * common >= one.max(two)
     }
 }
 
@@ -184,5 +184,19 @@ mod tests {
         assert_eq!(without_strays(&row, is_far), [1, 2, 3, 4, 5, 6]);
         assert_eq!(without_strays(&row[1..7], is_far), &row[1..7]);
         assert_eq!(without_strays(&[], is_far), [0u32; 0]);
+    }
+
+    #[test]
+    fn a_ruling_that_lost_a_part_is_still_beside_the_next() {
+        let ruling = |low: f64, high: f64| Ruling {
+            place: [0.0, 0.0],
+            ends: [low, high],
+            points: Vec::new(),
+        };
+        let whole = ruling(0.0, 30.0);
+        assert!(whole.is_beside(&ruling(2.0, 29.0)));
+        assert!(whole.is_beside(&ruling(4.0, 17.0)) && ruling(4.0, 17.0).is_beside(&whole));
+        assert!(!whole.is_beside(&ruling(20.0, 50.0)));
+        assert!(!whole.is_beside(&ruling(4.0, 9.0)));
     }
 }

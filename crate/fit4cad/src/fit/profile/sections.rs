@@ -1,14 +1,10 @@
-//! The faces of the profiles along one direction.
+//! The profiles along one direction, and what is known of them.
 
 use super::chains::{Chain, chains};
-use super::partition::{Piece, partition};
-use super::recurring::Recurring;
-use super::rulings::{Ruling, is_empty_between, rulings};
+use super::faces::Face;
+use super::rulings::{Ruling, rulings};
 use crate::cloud::Direction;
-use crate::fit::least_squares::{self, Loss};
-use crate::fit::thin::borders;
 use crate::fit::thin::plan::Plan;
-use crate::fit::thin::profile::{Curve, Place};
 use crate::fit::{Candidate, Search};
 use crate::surface::Surface;
 
@@ -18,31 +14,23 @@ const REACH: f64 = 6.0;
 const SAME: f64 = 1e-4;
 /// Share of a surface's points on rulings from which on it has nothing else.
 const ROWS_ONLY: f64 = 0.9;
-/// Steps from ruling to ruling of an arc that is no accident.
-const SURE_ARC: usize = 4;
-/// Pieces in a row that prove nothing by themselves, of which the known faces on both sides prove
-/// that they are there. A free-form profile is a long row of such pieces.
-const UNSURE: usize = 3;
 
 /// The profiles of a cloud along a direction.
 pub struct Section {
-    plan: Plan,
-    rulings: Vec<Ruling>,
+    pub(super) plan: Plan,
+    pub(super) rulings: Vec<Ruling>,
     /// The ruling of each point of the cloud.
     ruling: Vec<u32>,
     /// How many sides of each ruling belong to accepted faces that are more than rulings: none, one
     /// where such a face ends, two within.
-    known: Vec<u8>,
+    pub(super) known: Vec<u8>,
     /// The accepted faces that end at each ruling, by their positions.
     beside: Vec<Vec<usize>>,
-    chains: Vec<Chain>,
-}
-
-/// An extruded face.
-pub struct Face {
-    rulings: Vec<usize>,
-    candidate: Candidate,
-    is_sure: bool,
+    /// How many accepted faces each point of the cloud is on.
+    pub(super) held: Vec<u8>,
+    /// Whether each point of the cloud is on an accepted face across the rulings.
+    pub(super) across: Vec<bool>,
+    pub(super) chains: Vec<Chain>,
 }
 
 impl Section {
@@ -62,6 +50,8 @@ impl Section {
             beside: vec![Vec::new(); rulings.len()],
             rulings,
             ruling,
+            held: vec![0; search.cloud.len()],
+            across: vec![false; search.cloud.len()],
             chains: Vec::new(),
         }
     }
@@ -87,7 +77,7 @@ impl Section {
     }
 
     /// Whether a surface is extruded along the direction.
-    fn is_along(&self, surface: &Surface) -> bool {
+    pub(super) fn is_along(&self, surface: &Surface) -> bool {
         match surface {
             Surface::Plane(plane) => plane.normal.dot(&self.plan.direction).abs() < SAME,
             Surface::Cylinder(cylinder) => cylinder.axis.cross(&self.plan.direction).norm() < SAME,
@@ -96,7 +86,7 @@ impl Section {
     }
 
     /// How many points of a candidate are on each ruling that has any.
-    fn rows(&self, candidate: &Candidate) -> Vec<(usize, usize)> {
+    pub(super) fn rows(&self, candidate: &Candidate) -> Vec<(usize, usize)> {
         let mut rows: Vec<u32> = candidate
             .support
             .iter()
@@ -110,7 +100,7 @@ impl Section {
     }
 
     /// Whether all of a candidate is rulings.
-    fn is_rows_only(candidate: &Candidate, rows: &[(usize, usize)]) -> bool {
+    pub(super) fn is_rows_only(candidate: &Candidate, rows: &[(usize, usize)]) -> bool {
         let on: usize = rows.iter().map(|(_, count)| count).sum();
         on as f64 >= ROWS_ONLY * candidate.support.len() as f64
     }
@@ -122,6 +112,11 @@ impl Section {
         for (number, candidate) in search.accepted().iter().enumerate() {
             let rows = self.rows(candidate);
             let is_along = self.is_along(&candidate.surface);
+            for &index in &candidate.support {
+                let held = &mut self.held[index as usize];
+                *held = held.saturating_add(1);
+                self.across[index as usize] |= !is_along;
+            }
             if is_along && Self::is_rows_only(candidate, &rows) {
                 continue;
             }
@@ -143,153 +138,6 @@ impl Section {
             sides.sort_unstable();
             *known = sides[sides.len() / 2];
         }
-    }
-
-    /// The faces that the profiles prove.
-    pub fn faces(&self, search: &mut Search<'_>) -> Vec<Face> {
-        let exact = borders::exact(search);
-        let recurring = self.recurring(search, exact);
-        let mut proved = Vec::new();
-        for chain in &self.chains {
-            let pieces = self.partition(chain, exact, &recurring).into_iter();
-            let pieces = pieces.map(|piece| self.face(search, chain, &piece, exact));
-            let faces: Vec<Option<Face>> = pieces.collect();
-            let has_sure = faces.iter().flatten().any(|face| face.is_sure);
-            let mut run: Vec<Face> = Vec::new();
-            // Whether what comes before the run is known.
-            let mut anchored = self.is_end_known(chain, 0);
-            for face in faces {
-                match face {
-                    Some(face) if face.is_sure => {
-                        if anchored && run.len() <= UNSURE {
-                            proved.append(&mut run);
-                        }
-                        run.clear();
-                        proved.push(face);
-                        anchored = true;
-                    }
-                    Some(face) if has_sure || self.ends_at_faces(search, &face) => run.push(face),
-                    _ => {
-                        run.clear();
-                        anchored = false;
-                    }
-                }
-            }
-            let end_known = self.is_end_known(chain, chain.rulings.len().saturating_sub(1));
-            if anchored && run.len() <= UNSURE && end_known {
-                proved.append(&mut run);
-            }
-        }
-        proved
-    }
-
-    /// Whether a known face goes on from an end of a chain.
-    fn is_end_known(&self, chain: &Chain, end: usize) -> bool {
-        !chain.is_closed
-            && chain
-                .rulings
-                .get(end)
-                .is_some_and(|&row| self.known[row] > 0)
-    }
-
-    fn partition(&self, chain: &Chain, exact: f64, recurring: &Recurring) -> Vec<Piece> {
-        let rulings = chain.rulings.iter();
-        let places: Vec<Place> = rulings.map(|&it| self.rulings[it].place).collect();
-        partition(&places, exact, recurring)
-    }
-
-    /// What recurs: the circles of accepted cylinders that are more than rulings, and of arcs with more
-    /// rulings than any circle is on.
-    fn recurring(&self, search: &Search<'_>, exact: f64) -> Recurring {
-        let mut sure: Vec<Curve> = Vec::new();
-        for candidate in search.accepted() {
-            if let Surface::Cylinder(cylinder) = &candidate.surface
-                && self.is_along(&candidate.surface)
-                && !Self::is_rows_only(candidate, &self.rows(candidate))
-            {
-                let centre = self.plan.place(&cylinder.centre);
-                sure.push(Curve::Circle(centre, cylinder.radius));
-            }
-        }
-        for chain in &self.chains {
-            let pieces = self
-                .partition(chain, exact, &Recurring::default())
-                .into_iter();
-            let long = pieces.filter(|piece| piece.ends[1] - piece.ends[0] >= SURE_ARC);
-            sure.extend(long.map(|piece| piece.curve));
-        }
-        let linked = self.chains.iter().flat_map(|chain| &chain.rulings);
-        let places: Vec<Place> = linked.map(|&row| self.rulings[row].place).collect();
-        Recurring::of(&sure, &places, search.scale.tolerance)
-    }
-
-    /// The face of a piece; `None` where its points are on no such surface.
-    fn face(
-        &self,
-        search: &mut Search<'_>,
-        chain: &Chain,
-        piece: &Piece,
-        exact: f64,
-    ) -> Option<Face> {
-        let rulings = &chain.rulings[piece.ends[0]..=piece.ends[1]];
-        let start = self.plan.surface(&piece.curve);
-        let rows = rulings.iter().flat_map(|&it| &self.rulings[it].points);
-        let mut support: Vec<u32> = rows.copied().collect();
-        support.sort_unstable();
-        support.dedup();
-        // Two rulings on a recurring circle say no more about it.
-        let is_told = rulings.len() < 3 && matches!(piece.curve, Curve::Circle(..));
-        let surface = if is_told {
-            start
-        } else {
-            least_squares::fit(&start, &search.points(&support), Loss::Squares)?.surface
-        };
-        let error = search.error(&surface, &support);
-        let limit = if is_told {
-            search.scale.tolerance
-        } else {
-            exact
-        };
-        if !search.is_plausible(&surface) || error > limit {
-            return None;
-        }
-        let candidate = Candidate {
-            surface,
-            support,
-            error,
-        };
-        let rows: Vec<&Ruling> = rulings.iter().map(|&it| &self.rulings[it]).collect();
-        let needed = match piece.curve {
-            Curve::Line(..) => 3,
-            Curve::Circle(..) => 4,
-        };
-        let is_sure = rulings.len() >= needed && !search.has_fuzzy_border(&candidate);
-        let is_bare = |pair: &[&Ruling]| {
-            is_empty_between(search, &self.plan, &candidate.surface, pair[0], pair[1])
-        };
-        if !is_sure && !rows.windows(2).all(is_bare) {
-            return None;
-        }
-        Some(Face {
-            rulings: rulings.to_vec(),
-            candidate,
-            is_sure,
-        })
-    }
-
-    /// Whether at least half the ends of a face's rulings are on two faces already known: it begins and
-    /// ends where others do.
-    fn ends_at_faces(&self, search: &Search<'_>, face: &Face) -> bool {
-        let holders = |index: u32| {
-            let faces = search.accepted().iter();
-            faces
-                .filter(|face| face.support.binary_search(&index).is_ok())
-                .count()
-        };
-        let rows = face.rulings.iter().map(|&row| &self.rulings[row].points);
-        let ends = rows.flat_map(|points| points.first().into_iter().chain(points.last()));
-        let held = ends.filter(|&&index| holders(index) >= 2).count();
-        held >= face.rulings.len()
     }
 
     /// Accepts faces and takes back what was accepted across them.

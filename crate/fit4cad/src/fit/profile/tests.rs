@@ -1,3 +1,4 @@
+use super::partition::tests::profile;
 use super::*;
 use crate::cloud::{Cloud, Point, Vector};
 use crate::fit::Parameters;
@@ -91,4 +92,77 @@ fn a_free_form_profile_has_no_faces() {
     let (found, told) = decided(rulings.collect(), &[]);
     assert_eq!(found, []);
     assert!(!told.contains(&true));
+}
+
+/// A flank by its pieces: lines by their length, arcs by radius and turn, and steps.
+const FLANK: [(f64, f64, u32); 4] = [
+    (0.9, -0.96, 2),
+    (5.6, -0.37, 2),
+    (1.2, 0.0, 1),
+    (2.2, 1.33, 2),
+];
+
+/// What of the flanks between broad lands and roots is found once these and the faces across them at
+/// both ends are known, of rulings of which one in `stride` points is kept.
+fn flanks(stride: usize, teeth: usize) -> Vec<SurfaceType> {
+    let land = (9.0, 0.0, 9);
+    let mut up = FLANK;
+    up.reverse();
+    let tooth = [&[land][..], &FLANK, &[land], &up].concat();
+    let places = profile(&[tooth.repeat(teeth), vec![land]].concat());
+    let low = places.iter().map(|place| place[1]).fold(0.0, f64::min);
+    let top = f64::from(HEIGHT);
+    let mut random = fastrand::Rng::with_seed(5);
+    let mut points: Vec<Point> = Vec::new();
+    for (number, &[x, y]) in places.iter().enumerate() {
+        let ruling = (0..=HEIGHT).map(|z| Point::new(x, y, f64::from(z)));
+        points.extend(ruling.skip(number % stride).step_by(stride));
+        for z in [0.0, top] {
+            points.extend((1..6).map(|i| Point::new(x, y - f64::from(i), z)));
+        }
+    }
+    for step in places.windows(2) {
+        let [from, to] = [step[0], step[1]];
+        // Lands and roots are more than rulings.
+        if (from[1] - to[1]).abs() < 1e-9 {
+            let within = |_| Point::new(from[0] + random.f64(), from[1], top * random.f64());
+            points.extend((0..8).map(within));
+        }
+    }
+    let cloud = Cloud::new(points);
+    let mut search = Search::new(&cloud, &Parameters::default(), 1);
+    let known = [(2, 0.0), (2, top), (1, 0.0), (1, low)];
+    for (axis, level) in known {
+        let on = (0u32..).zip(cloud.points());
+        let on = on.filter(|(_, point)| (point[axis] - level).abs() < 1e-9);
+        let mut at = Point::origin();
+        at[axis] = level;
+        search.accept(Candidate {
+            surface: Surface::Plane(Plane::new(at, Vector::ith(axis, 1.0))),
+            support: on.map(|(index, _)| index).collect(),
+            error: 0.0,
+        });
+    }
+    extruded(&mut search, &[Vector::z_axis()], &mut |_| ());
+    let found = search.accepted()[known.len()..].iter();
+    found.map(|face| face.surface.kind()).collect()
+}
+
+#[test]
+fn flanks_are_found_between_known_faces_though_their_rulings_lost_their_ends() {
+    for stride in [1, 2, 3] {
+        let found = flanks(stride, 4);
+        let arcs = found.iter().filter(|kind| **kind == SurfaceType::Cylinder);
+        assert_eq!(
+            (found.len(), arcs.count()),
+            (4 * 2 * 4, 4 * 2 * 3),
+            "{stride}"
+        );
+    }
+}
+
+#[test]
+fn a_long_row_of_small_pieces_is_a_flank_where_many_are_congruent() {
+    assert_eq!(flanks(1, 1).len(), 0);
+    assert_eq!(flanks(1, 3).len(), 3 * 2 * 4);
 }
