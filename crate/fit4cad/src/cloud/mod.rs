@@ -1,9 +1,11 @@
 //! Points, their extent, and what is near what.
 
+mod ball;
 mod bounds;
 pub mod neighbours;
 pub mod normals;
 
+pub use ball::Ball;
 pub use bounds::Bounds;
 
 /// A point in the units of the file it came from.

@@ -11,7 +11,7 @@ use nalgebra::{Matrix2, SMatrix, SVector, SymmetricEigen};
 use super::least_squares::{self, Loss, degrees_of_freedom};
 use super::quadric::Quadric;
 use crate::cloud::normals::Spread;
-use crate::cloud::{Bounds, Direction, Point, Vector};
+use crate::cloud::{Ball, Direction, Point, Vector};
 use crate::surface::{Cylinder, Plane, Sphere, Surface, SurfaceType, Torus};
 
 /// Local shape at the middle of a patch: what is left of the surface to second order.
@@ -102,8 +102,7 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
             surfaces.extend(Spread::of(patch.iter()).map(|spread| {
                 Surface::Plane(Plane::new(spread.centroid, spread.normal().into_inner()))
             }));
-            // A band of a hundredth of the patch holds its plane and not much else.
-            let band = 0.01 * Bounds::of(patch).diagonal();
+            let band = BAND * Ball::of(patch).radius;
             surfaces
                 .extend(plane_through_seed(patch, band).map(|(plane, _)| Surface::Plane(plane)));
         }
@@ -163,13 +162,15 @@ pub fn plane_through_seed(patch: &[Point], tolerance: f64) -> Option<(Plane, usi
     best
 }
 
+/// Half the thickness, in radii of a patch, of a band that holds its plane and not much else.
+const BAND: f64 = 0.028;
 /// Starts of a torus worth polishing.
 const TORUS_STARTS: usize = 4;
 
 /// The sphere |x|² = 2 c·x + (r² - |c|²), linear in its unknowns.
 fn algebraic_sphere(patch: &[Point]) -> Option<Sphere> {
     let origin = Spread::of(patch.iter())?.centroid;
-    let scale = Bounds::of(patch).diagonal();
+    let scale = Ball::of(patch).diameter();
     let mut matrix = SMatrix::<f64, 4, 4>::zeros();
     let mut right = SVector::<f64, 4>::zeros();
     for point in patch {

@@ -1,13 +1,16 @@
 //! The algebraic quadric through a neighbourhood, read as a cylinder or a cone.
 
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
 use nalgebra::{Matrix3, SMatrix, SVector, SymmetricEigen};
 
 use crate::cloud::normals::Spread;
-use crate::cloud::{Bounds, Point, Vector};
+use crate::cloud::{Ball, Point, Vector};
 use crate::surface::{Cone, Cylinder};
 
 /// The quadric xᵀAx + 2b·x + c = 0 of least algebraic error with |(A, b, c)| = 1, in coordinates
-/// centred on the neighbourhood and scaled to half the diagonal of its box.
+/// centred on the neighbourhood and scaled to its extent. The norm is Frobenius', so that turned points have
+/// the turned quadric.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadric {
     matrix: Matrix3<f64>,
@@ -27,7 +30,7 @@ impl Quadric {
             return None;
         }
         let origin = Spread::of(patch.iter())?.centroid;
-        let scale = 0.5 * Bounds::of(patch).diagonal();
+        let scale = SQRT_2 * Ball::of(patch).radius;
         let mut moments = SMatrix::<f64, 10, 10>::zeros();
         for point in patch {
             let p = (point - origin) / scale;
@@ -35,9 +38,9 @@ impl Quadric {
                 p.x * p.x,
                 p.y * p.y,
                 p.z * p.z,
-                2.0 * p.x * p.y,
-                2.0 * p.x * p.z,
-                2.0 * p.y * p.z,
+                SQRT_2 * p.x * p.y,
+                SQRT_2 * p.x * p.z,
+                SQRT_2 * p.y * p.z,
                 2.0 * p.x,
                 2.0 * p.y,
                 2.0 * p.z,
@@ -55,8 +58,10 @@ impl Quadric {
             .eigenvectors
             .column(eigen.eigenvalues.imin())
             .into_owned();
+        // A coefficient beside the diagonal stands in the matrix twice, which its square counts.
+        let [xy, xz, yz] = [q[3], q[4], q[5]].map(|beside| beside * FRAC_1_SQRT_2);
         let mut quadric = Self {
-            matrix: Matrix3::new(q[0], q[3], q[4], q[3], q[1], q[5], q[4], q[5], q[2]),
+            matrix: Matrix3::new(q[0], xy, xz, xy, q[1], yz, xz, yz, q[2]),
             linear: Vector::new(q[6], q[7], q[8]),
             constant: q[9],
             origin,

@@ -3,14 +3,14 @@
 mod noise;
 
 use crate::cloud::neighbours::Neighbourhoods;
-use crate::cloud::{Cloud, Point};
+use crate::cloud::{Ball, Cloud, Point};
 
-/// Lengths that everything else is relative to, in the units of the cloud. None depends on the
-/// orientation of the axes beyond what the bounding box does.
+/// Lengths that everything else is relative to, in the units of the cloud. None changes when the
+/// cloud is turned: a box along the axes would.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
-    /// Diagonal of the bounding box.
-    pub diagonal: f64,
+    /// Diameter of the ball about the centroid.
+    pub diameter: f64,
     /// Median distance of a point to its nearest neighbour.
     pub spacing: f64,
     /// Standard deviation σ of the points off their surfaces.
@@ -19,7 +19,7 @@ pub struct Scale {
     pub tolerance: f64,
 }
 
-/// Least noise, in diagonals. The benchmark's points lie on their surfaces to 1e-7 of the diagonal or
+/// Least noise, in diameters. The benchmark's points lie on their surfaces to 1e-7 of the diameter or
 /// better; up to this nothing changes, and accidents within it are rare.
 const FLOOR: f64 = 7.5e-7;
 /// Tolerance in standard deviations where the noise is small against the spacing: of Gaussian points
@@ -35,9 +35,9 @@ const NOISY_SIGMAS: f64 = 2.4;
 
 /// Error of a small face, in standard deviations: that of nine points exceeds it in one of a thousand.
 const CHANCE: f64 = 1.5;
-/// Distance from a surface, in diagonals, at which it fades out: far below the rise of a fillet over a
+/// Distance from a surface, in diameters, at which it fades out: far below the rise of a fillet over a
 /// spacing, far above the error of any clean cloud.
-const FADE: f64 = 3.6e-5;
+const FADE: f64 = 4e-5;
 /// And in tolerances, where there is noise.
 const FADING: f64 = 2.0;
 
@@ -47,18 +47,19 @@ const ACCIDENT: f64 = -18.0;
 const EXACT_SPARE: usize = 3;
 
 impl Scale {
-    /// Measures a cloud. `tolerance` in diagonals overrides the estimate where it is positive.
+    /// Measures a cloud. `tolerance` in diagonals of the bounding box overrides the estimate where it
+    /// is positive.
     pub fn measure(cloud: &Cloud, graph: &Neighbourhoods, tolerance: f64) -> Self {
-        let diagonal = cloud.bounds().diagonal();
+        let diameter = Ball::of(cloud.points()).diameter();
         let spacing = spacing(cloud.points(), graph);
-        let noise = noise::noise(cloud.points(), graph, spacing, FLOOR * diagonal);
+        let noise = noise::noise(cloud.points(), graph, spacing, FLOOR * diameter);
         let estimated = (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing));
         Self {
-            diagonal,
+            diameter,
             spacing,
             noise,
             tolerance: if tolerance > 0.0 {
-                tolerance * diagonal
+                tolerance * cloud.bounds().diagonal()
             } else {
                 estimated
             },
@@ -78,12 +79,12 @@ impl Scale {
 
     /// Whether the points are measurably off their surfaces.
     pub fn has_noise(&self) -> bool {
-        self.noise > FLOOR * self.diagonal
+        self.noise > FLOOR * self.diameter
     }
 
     /// Farthest that points just outside a patch may lie from its surface to say that it fades out.
     pub fn fade(&self) -> f64 {
-        (FADE * self.diagonal).max(FADING * self.tolerance)
+        (FADE * self.diameter).max(FADING * self.tolerance)
     }
 
     /// Points beyond the degrees of freedom of a surface that show it to be no accident.

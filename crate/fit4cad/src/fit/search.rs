@@ -258,7 +258,7 @@ impl<'a> Search<'a> {
     /// Whether a surface is one that CAD would call by its name: not a cylinder so large that it is
     /// a plane, not a torus that is nearly a sphere.
     pub fn is_plausible(&self, surface: &Surface) -> bool {
-        let largest = 20.0 * self.scale.diagonal;
+        let largest = 20.0 * self.scale.diameter;
         let smallest = 4.0 * self.scale.tolerance;
         let slimmest = if self.scale.is_clean() {
             SLIMMEST

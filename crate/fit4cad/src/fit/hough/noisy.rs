@@ -10,8 +10,8 @@ use super::solutions;
 use crate::fit::{Cancelled, Search, Stage, detect};
 use crate::surface::SurfaceType;
 
-/// Radius of curvature, in diagonals, whose sagitta over a neighbourhood should stand out of noise.
-const TYPICAL_RADIUS: f64 = 0.1;
+/// Radius of curvature, in diameters of the cloud, whose sagitta over a neighbourhood should stand out of noise.
+const TYPICAL_RADIUS: f64 = 0.112;
 /// By how many standard deviations it should.
 const STAND_OUT: f64 = 2.6;
 /// Smallest and largest neighbourhood.
@@ -86,7 +86,7 @@ const PATIENCE: usize = 100;
 /// h²/2r of so many σ over its radius h.
 fn neighbourhood(search: &Search<'_>) -> usize {
     let scale = &search.scale;
-    let squared = 2.0 * TYPICAL_RADIUS * scale.diagonal * STAND_OUT * scale.noise;
+    let squared = 2.0 * TYPICAL_RADIUS * scale.diameter * STAND_OUT * scale.noise;
     let count = std::f64::consts::PI * squared / (scale.spacing * scale.spacing);
     (count as usize).clamp(SIZES[0], SIZES[1])
 }

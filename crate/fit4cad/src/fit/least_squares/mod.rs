@@ -15,7 +15,7 @@ use levenberg_marquardt::{Effort, minimise};
 use nalgebra::Isometry3;
 
 use crate::cloud::normals::Spread;
-use crate::cloud::{Bounds, Point, Vector};
+use crate::cloud::{Ball, Point, Vector};
 use crate::surface::{Cylinder, Plane, Surface, SurfaceType};
 
 /// How much a point counts, by its distance d to the surface.
@@ -170,7 +170,7 @@ fn fit_plane(start: &Plane, points: &[Vector], loss: Loss) -> Option<(Surface, f
     Some((Surface::Plane(plane), error))
 }
 
-/// The similarity that centres points and gives their box a diagonal of two.
+/// The similarity that takes the ball of some points to the unit ball.
 #[derive(Debug, Clone, Copy)]
 struct Frame {
     origin: Point,
@@ -179,10 +179,11 @@ struct Frame {
 
 impl Frame {
     fn of(points: &[Point]) -> Option<Self> {
-        let count = points.len() as f64;
-        let origin = Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / count);
-        let scale = 0.5 * Bounds::of(points).diagonal();
-        (scale > 0.0 && scale.is_finite()).then_some(Self { origin, scale })
+        let Ball { centre, radius } = Ball::of(points);
+        (radius > 0.0 && radius.is_finite()).then_some(Self {
+            origin: centre,
+            scale: radius,
+        })
     }
 
     fn enter(&self, point: &Point) -> Vector {

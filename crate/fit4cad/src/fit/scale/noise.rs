@@ -13,7 +13,7 @@
 use super::quantile;
 use crate::cloud::neighbours::Neighbourhoods;
 use crate::cloud::normals::Spread;
-use crate::cloud::{Bounds, Point};
+use crate::cloud::{Ball, Point};
 use crate::fit::least_squares::{self, Fitted, Loss, degrees_of_freedom};
 use crate::fit::local::{self, Curvature};
 use crate::surface::{Surface, SurfaceType};
@@ -35,8 +35,8 @@ const EXACT: f64 = 0.33;
 const FEW_EXACT: f64 = 0.15;
 /// Points beyond the degrees of freedom that must agree with a robust fit, which chooses them.
 const SPARE: usize = 5;
-/// Half the thickness of a sheet, in diagonals of the patch.
-const SHEET: f64 = 0.02;
+/// Half the thickness of a sheet, in radii of the patch.
+const SHEET: f64 = 0.056;
 /// Residual, in those halves, of points that are not on the sheet by being chosen for it.
 const WELL_INSIDE: f64 = 0.2;
 /// Ratio of the ends of a window: most residuals of ten degrees of freedom are within it.
@@ -176,7 +176,7 @@ fn corrected(fitted: &Fitted, count: usize) -> Option<f64> {
 /// sheet of a thin wall, whose sheets are in the patch alike. `None` where they are few, or not so
 /// near the plane that being chosen for it says nothing of how near.
 fn on_one_sheet(patch: &[Point]) -> Option<f64> {
-    let band = SHEET * Bounds::of(patch).diagonal();
+    let band = SHEET * Ball::of(patch).radius;
     let (plane, on) = local::plane_through_seed(patch, band)?;
     if on < 3 + SPARE {
         return None;

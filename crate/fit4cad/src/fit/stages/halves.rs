@@ -9,8 +9,8 @@ use super::patches::Patch;
 use crate::disjoint::DisjointSets;
 use crate::surface::SurfaceType;
 
-/// How far from a surface its other half may lie, in diagonals.
-const HAIR: f64 = 5e-4;
+/// How far from a surface its other half may lie, in diameters of the cloud.
+const HAIR: f64 = 5.6e-4;
 /// Points that two halves share at least, along their seam.
 const SEAM: usize = 3;
 
@@ -37,7 +37,7 @@ pub fn join_halves(search: &Search<'_>, patches: Vec<Patch>) -> Vec<Patch> {
 
 fn are_halves(search: &Search<'_>, first: &Patch, second: &Patch) -> bool {
     let is_near = |a: &Patch, b: &Patch| {
-        let hair = HAIR * search.scale.diagonal;
+        let hair = HAIR * search.scale.diameter;
         let mut distances = b
             .points
             .iter()
