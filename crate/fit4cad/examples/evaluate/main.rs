@@ -4,12 +4,15 @@
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
 //!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE]
-//!     [--digits N] [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [NAME=VALUE]…
+//!     [--digits N] [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [--moved]
+//!     [NAME=VALUE]…
 //! ```
 //! DIR holds PC1.txt, PC1_primitives.txt, …; `parts` stands for the catalogue of generated parts and
 //! for combs of narrow grooves ([`comb`]). `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
 //! then, they lose. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
-//! that were not found well, `--diagnose` also says at which stage each was lost. NAME=VALUE sets a parameter of the fitters.
+//! that were not found well, `--diagnose` also says at which stage each was lost. `--moved`
+//! scores nothing, but counts the points whose labels change when the cloud is moved, turned or scaled
+//! ([`moved`]). NAME=VALUE sets a parameter of the fitters.
 
 use std::error::Error;
 use std::fs;
@@ -25,6 +28,7 @@ use stress::Stress;
 
 mod comb;
 mod diagnose;
+mod moved;
 mod oracle;
 mod stress;
 
@@ -38,6 +42,7 @@ struct Options {
     stress: Stress,
     lost: bool,
     diagnose: bool,
+    moved: bool,
     parameters: Parameters,
 }
 
@@ -66,18 +71,13 @@ struct Row {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let options = Options::read(std::env::args().skip(1))?;
+    if let (true, Finder::Method(method)) = (options.moved, options.finder) {
+        return compare(&options, method);
+    }
     let mut rows = Vec::new();
     println!("model      points truth found    DSC  back types      MFE   dHaus      d1  seconds");
-    for model in models(&options)? {
-        let model = model?;
-        if !options.only.is_empty() && !options.only.contains(&model.name) {
-            continue;
-        }
-        let size = model.truth.as_ref().map_or(0, |t| t.primitives.len());
-        if size < options.at_least {
-            continue;
-        }
-        let row = run(&options, options.stress.apply(model))?;
+    for model in wanted(&options)? {
+        let row = run(&options, model?)?;
         println!("{row}");
         for lost in row.lost.iter().filter(|_| options.lost || options.diagnose) {
             println!("    {lost}");
@@ -85,6 +85,26 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows.push(row);
     }
     summarise(&mut rows);
+    Ok(())
+}
+
+/// Compares answers for clouds that show the same.
+fn compare(options: &Options, method: Method) -> Result<(), Box<dyn Error>> {
+    println!("{}", moved::head());
+    let mut rows = Vec::new();
+    for model in wanted(options)? {
+        let model = model?;
+        let row = moved::run(
+            &model.name,
+            &model.cloud,
+            method,
+            &options.parameters,
+            options.seed,
+        )?;
+        println!("{row}");
+        rows.push(row);
+    }
+    moved::summarise(&rows);
     Ok(())
 }
 
@@ -100,6 +120,7 @@ impl Options {
             stress: Stress::default(),
             lost: false,
             diagnose: false,
+            moved: false,
             parameters: Parameters::default(),
         };
         while let Some(argument) = arguments.next() {
@@ -128,6 +149,7 @@ impl Options {
                 "--missing" => options.stress.missing = value()?.parse()?,
                 "--lost" => options.lost = true,
                 "--diagnose" => options.diagnose = true,
+                "--moved" => options.moved = true,
                 other => match other.split_once('=') {
                     Some((name, value)) => options.parameters.set(name, value.parse()?)?,
                     None => options.folder = PathBuf::from(other),
@@ -149,8 +171,21 @@ fn name_of(text: &str) -> String {
     }
 }
 
+/// The models asked for that are large enough, made as hard as asked for.
+fn wanted(options: &Options) -> Result<Models<'_>, Box<dyn Error>> {
+    let is_large = |model: &Model| {
+        let truth = model.truth.as_ref();
+        truth.map_or(0, |truth| truth.primitives.len()) >= options.at_least
+    };
+    let models = models(options)?.filter_map(move |model| match model {
+        Ok(model) => is_large(&model).then(|| Ok(options.stress.apply(model))),
+        Err(error) => Some(Err(error)),
+    });
+    Ok(Box::new(models))
+}
+
 /// The models asked for, read or made one at a time.
-fn models(options: &Options) -> Result<Models, Box<dyn Error>> {
+fn models(options: &Options) -> Result<Models<'static>, Box<dyn Error>> {
     if options.folder == Path::new("parts") {
         let parts = sample::parts().iter();
         let generated = parts.map(|part| Ok(sample::generate(part.name, &Default::default())?));
@@ -169,7 +204,7 @@ fn models(options: &Options) -> Result<Models, Box<dyn Error>> {
     ))
 }
 
-type Models = Box<dyn Iterator<Item = Result<Model, Box<dyn Error>>>>;
+type Models<'o> = Box<dyn Iterator<Item = Result<Model, Box<dyn Error>>> + 'o>;
 
 /// Models of the folder asked for, by number.
 fn names(options: &Options) -> Result<Vec<String>, Box<dyn Error>> {

@@ -3,9 +3,11 @@
 //! [`matching`] pairs primitives, [`classification`] counts points, [`accuracy`] measures
 //! distances to surfaces and [`coefficients`] compares implicit vectors. [`report`] puts them
 //! together under one of two [`Protocol`]s, [`hidden`] adds what those measures do not show, and
-//! [`summary`] describes a figure over many reports.
+//! [`summary`] describes a figure over many reports. [`agreement`] compares two answers with each
+//! other.
 
 pub mod accuracy;
+pub mod agreement;
 pub mod classification;
 pub mod coefficients;
 pub mod hidden;
