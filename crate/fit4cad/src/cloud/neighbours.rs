@@ -70,7 +70,8 @@ impl KdTree {
     }
 
     /// The up to `count` points nearest to `query` among those `keep` admits, not farther than
-    /// `radius`, nearest first, equals by index. `found` is overwritten. O(log n + count) where
+    /// `radius`, nearest first, equals by index. Distances that differ by rounding alone are equal:
+    /// in the lattices of a mesher many are, and turning the cloud is not to change their order. `found` is overwritten. O(log n + count) where
     /// `keep` admits most points.
     pub fn nearest(
         &self,
@@ -187,7 +188,7 @@ struct Nearest<'a> {
 
 impl Nearest<'_> {
     fn add(&mut self, neighbour: Neighbour) {
-        let key = |n: &Neighbour| (n.distance_squared, n.index);
+        let key = |n: &Neighbour| (rounded(n.distance_squared), n.index);
         let place = self.found.partition_point(|n| key(n) <= key(&neighbour));
         if place >= self.count {
             return;
@@ -199,9 +200,21 @@ impl Nearest<'_> {
         if self.found.len() == self.count
             && let Some(last) = self.found.last()
         {
-            self.limit = last.distance_squared;
+            self.limit = last.distance_squared * (1.0 + 2.0 * ROUNDING);
         }
     }
+}
+
+/// Relative difference of squared distances up to which they are the same: far above what moving a
+/// cloud by many diagonals leaves of its coordinates, far below what coordinates of seven digits tell.
+const ROUNDING: f64 = 1.0 / (1u64 << 30) as f64;
+
+/// A number to the nearest multiple of about [`ROUNDING`] of itself, as something that is ordered as
+/// it is: the bits of a float that is not negative are.
+fn rounded(positive: f64) -> u64 {
+    /// Digits of the mantissa's 52 that are dropped.
+    const DROPPED: u32 = 22;
+    (positive.to_bits() + (1 << (DROPPED - 1))) >> DROPPED
 }
 
 /// How many slots the nodes over so many points may take.
@@ -341,6 +354,17 @@ mod tests {
                 .collect();
             prop_assert_eq!(found, expected);
         }
+    }
+
+    #[test]
+    fn neighbours_at_equal_distances_keep_their_order_when_the_cloud_is_turned() {
+        let lattice: Vec<Point> = (0..400)
+            .map(|i| Point::new(f64::from(i % 20), f64::from(i / 20), 0.0) * 0.1)
+            .collect();
+        let turn = nalgebra::Rotation3::from_euler_angles(0.7, -0.4, 1.3);
+        let turned: Vec<Point> = lattice.iter().map(|p| turn * (p * 1000.0)).collect();
+        let graph = |points: &[Point]| Neighbourhoods::new(points, &KdTree::new(points), 10);
+        assert_eq!(graph(&lattice), graph(&turned));
     }
 
     #[test]
