@@ -1,16 +1,16 @@
 //! Methods that make a submission from a bare cloud.
 //!
 //! A method differs from another only in how it **finds** surfaces. Everything around that is
-//! shared: a [`Search`] holds the cloud with its neighbours, scale and what is explained so far;
-//! a method hands it surfaces that might be there ([`Search::grow`] polishes one by least squares
-//! and grows its patch into a [`Candidate`], [`Search::best`] lets candidates compete,
-//! [`Search::accept`] keeps the winner); [`thin`] proposes surfaces for faces that only their
-//! neighbours tell, and [`contest`] says what shows that a candidate is there; then [`stages`] prune,
-//! label and split into patches.
+//! shared: [`places`] leave out points that only repeat others; a [`Search`] holds the cloud with
+//! its neighbours, scale and what is explained so far; a method hands it surfaces that might be
+//! there ([`Search::grow`] polishes one by least squares and grows its patch into a [`Candidate`],
+//! [`Search::best`] lets candidates compete, [`Search::accept`] keeps the winner); [`thin`] proposes
+//! surfaces for faces that only their neighbours tell, and [`contest`] says what shows that a
+//! candidate is there; then [`stages`] prune, label and split into patches.
 //!
 //! ```text
-//! cloud → Search → hough::find or growing::find → specks → prune → label → patches → Segmentation
-//!                  local::hypotheses → grow → best → accept
+//! cloud → Places → Search → hough::find or growing::find → specks → prune → label → patches → Segmentation
+//!                           local::starts → grow → best → accept
 //! ```
 
 pub mod axes;
@@ -22,6 +22,7 @@ pub mod hough;
 pub mod least_squares;
 pub mod local;
 pub mod parameters;
+pub mod places;
 pub mod profile;
 pub mod progress;
 pub mod pure;
@@ -41,6 +42,7 @@ pub use search::Search;
 use crate::cloud::Cloud;
 use crate::model::Segmentation;
 use crate::surface::Surface;
+use places::{Places, Unfolded};
 use trace::Event;
 
 /// How surfaces are found.
@@ -94,15 +96,34 @@ pub fn fit(
     observer: &mut dyn Observer,
 ) -> Result<Fit, Cancelled> {
     observer.progress(Stage::Prepare, 0.0)?;
-    let mut search = Search::new(cloud, parameters, seed);
+    let (places, tree) = Places::of(cloud);
+    let search = Search::over(places.cloud(), tree, parameters, seed);
+    match places.standing_for() {
+        None => fit_places(&places, search, method, observer),
+        Some(standing_for) => {
+            let observer = &mut Unfolded {
+                observer,
+                standing_for,
+            };
+            fit_places(&places, search, method, observer)
+        }
+    }
+}
+
+fn fit_places(
+    places: &Places<'_>,
+    mut search: Search<'_>,
+    method: Method,
+    observer: &mut dyn Observer,
+) -> Result<Fit, Cancelled> {
     let scale = search.scale;
     if observer.wants_trace() {
         observer.trace(Event::Scale(scale));
     }
     find(&mut search, method, observer)?;
-    let segmentation = stages::finish(&search, observer)?;
+    let found = stages::finish(&search, observer)?;
     Ok(Fit {
-        segmentation,
+        segmentation: places.unfold(&search, found),
         scale,
     })
 }

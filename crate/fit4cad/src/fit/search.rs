@@ -70,7 +70,11 @@ impl Marks {
 impl<'a> Search<'a> {
     /// Prepares a cloud. O(n log n) time, about 130 bytes a point.
     pub fn new(cloud: &'a Cloud, parameters: &Parameters, seed: u64) -> Self {
-        let tree = KdTree::new(cloud.points());
+        Self::over(cloud, KdTree::new(cloud.points()), parameters, seed)
+    }
+
+    /// As [`Search::new`], with the tree of the cloud's points.
+    pub fn over(cloud: &'a Cloud, tree: KdTree, parameters: &Parameters, seed: u64) -> Self {
         let count = Parameters::count(parameters.neighbours);
         let graph = Neighbourhoods::new(cloud.points(), &tree, count);
         let scale = Scale::measure(cloud, &graph, parameters.tolerance);

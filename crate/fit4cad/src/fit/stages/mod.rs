@@ -39,12 +39,17 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
             primitives.push(Primitive::on(surface, 0, points));
         }
     }
+    observer.progress(Stage::Patches, 1.0)?;
+    Ok(ranked(primitives))
+}
+
+/// Primitives numbered from the largest to the smallest.
+pub fn ranked(mut primitives: Vec<Primitive>) -> Segmentation {
     primitives.sort_by_key(|primitive| std::cmp::Reverse(primitive.points.len()));
     for (number, primitive) in (1..).zip(&mut primitives) {
         primitive.number = number;
     }
-    observer.progress(Stage::Patches, 1.0)?;
-    Ok(Segmentation { primitives })
+    Segmentation { primitives }
 }
 
 /// Points that a patch of a noisy cloud needs.

@@ -1,0 +1,222 @@
+//! Places: a cloud as the fitters see it, each place once.
+//!
+//! A file may list every point several times, as the corners of the triangles of a mesh are, or
+//! measured again and again with a little jitter. The nearest neighbours of a point are then its own
+//! copies: they span no surface, no graph of them gets anywhere, and the distance to the nearest says
+//! nothing about how far apart the points of a face are. So the copies are left out of the fit, and
+//! get their labels from what was found without them. So are points whose coordinates are not finite,
+//! without any label.
+
+mod unfolded;
+
+pub use unfolded::Unfolded;
+
+use super::holders::Holders;
+use super::scale::quantile;
+use super::{Search, stages};
+use crate::cloud::neighbours::KdTree;
+use crate::cloud::normals::Spread;
+use crate::cloud::{Cloud, Point};
+use crate::model::Segmentation;
+
+/// Points whose surroundings are looked at.
+const LOOKED_AT: usize = 120;
+/// Nearest points that are looked at around each.
+const AROUND: usize = 64;
+/// Ratio of the distances to successive neighbours that parts the copies of a point from the others.
+/// Of evenly spread points the widest is about 1.5, and twice that at random.
+const STEP: f64 = 8.0;
+/// Points beyond the copies that tell how the surface runs.
+const BEYOND: usize = 8;
+/// Largest cosine between the normal and the way to a copy: above it the copy is on the other side of
+/// a foil.
+const OFF: f64 = 0.8;
+
+/// The points of a cloud that a fit is made of.
+#[derive(Debug, Clone)]
+pub struct Places<'a> {
+    all: &'a Cloud,
+    /// `None` where these are all points.
+    kept: Option<Kept>,
+}
+
+/// Some points of a cloud.
+#[derive(Debug, Clone)]
+struct Kept {
+    cloud: Cloud,
+    /// The position among them that stands for each point of the whole cloud, `u32::MAX` for none.
+    place: Vec<u32>,
+}
+
+impl<'a> Places<'a> {
+    /// Leaves out the points that repeat others, and their tree. O(n log n).
+    pub fn of(all: &'a Cloud) -> (Self, KdTree) {
+        let mut kept = distinct(all.points());
+        let mut tree = KdTree::new(kept.as_ref().map_or(all, |kept| &kept.cloud).points());
+        let points = kept.as_ref().map_or(all, |kept| &kept.cloud).points();
+        if let Some(radius) = reach_of_copies(points, &tree) {
+            let apart = apart(points, &tree, radius);
+            let both = match kept {
+                Some(first) => first.then(apart),
+                None => apart,
+            };
+            tree = KdTree::new(both.cloud.points());
+            kept = Some(both);
+        }
+        (Self { all, kept }, tree)
+    }
+
+    /// The points that the fit is made of.
+    pub fn cloud(&self) -> &Cloud {
+        self.kept.as_ref().map_or(self.all, |kept| &kept.cloud)
+    }
+
+    /// The position in [`cloud`](Self::cloud) of the point that stands for each point of the whole
+    /// cloud, `u32::MAX` for none; `None` where each stands for itself.
+    pub fn standing_for(&self) -> Option<&[u32]> {
+        self.kept.as_ref().map(|kept| kept.place.as_slice())
+    }
+
+    /// Turns what was found in [`cloud`](Self::cloud) into what that says about the whole cloud, largest
+    /// first. A point that was left out is on those surfaces of the point that stands for it which pass
+    /// through itself too; where none does, on those of the nearest neighbour that has such.
+    pub fn unfold(&self, search: &Search<'_>, found: Segmentation) -> Segmentation {
+        let Some(kept) = &self.kept else {
+            return found;
+        };
+        let mut primitives = found.primitives;
+        let mut holders = Holders::with_room(kept.cloud.len(), 0);
+        for (number, primitive) in (0u32..).zip(&mut primitives) {
+            holders.add(number, &primitive.points);
+            primitive.points.clear();
+        }
+        let mut through = Vec::new();
+        for (index, (point, &place)) in (0u32..).zip(self.all.points().iter().zip(&kept.place)) {
+            if place == u32::MAX {
+                continue;
+            }
+            let stands_for_itself = search.point(place) == point;
+            let near = search.graph.of(place).iter().copied();
+            for at in std::iter::once(place).chain(near) {
+                through.clear();
+                through.extend(holders.of(at).filter(|&number| {
+                    let surface = primitives[number as usize].surface;
+                    let is_on =
+                        surface.is_some_and(|it| it.distance(point) <= search.scale.tolerance);
+                    stands_for_itself || is_on
+                }));
+                if stands_for_itself || !through.is_empty() {
+                    break;
+                }
+            }
+            for &number in &through {
+                primitives[number as usize].points.push(index);
+            }
+        }
+        stages::ranked(primitives)
+    }
+}
+
+impl Kept {
+    /// The points of a cloud of which each point is stood for by the given one.
+    fn new(points: &[Point], stand_in: &[u32]) -> Self {
+        let mut place = vec![u32::MAX; points.len()];
+        let mut kept = Vec::new();
+        for (index, point) in (0u32..).zip(points) {
+            if stand_in[index as usize] == index {
+                place[index as usize] = kept.len() as u32;
+                kept.push(*point);
+            }
+        }
+        for (index, &other) in stand_in.iter().enumerate() {
+            place[index] = place.get(other as usize).copied().unwrap_or(u32::MAX);
+        }
+        Self {
+            cloud: Cloud::new(kept),
+            place,
+        }
+    }
+
+    /// Those kept of these.
+    fn then(self, next: Self) -> Self {
+        let on = |&place: &u32| next.place.get(place as usize).copied();
+        let places = self.place.iter();
+        Self {
+            place: places.map(|it| on(it).unwrap_or(u32::MAX)).collect(),
+            cloud: next.cloud,
+        }
+    }
+}
+
+/// The points that are finite and not where an earlier one is; `None` where all are. O(n log n).
+fn distinct(points: &[Point]) -> Option<Kept> {
+    let key = |index: u32| points[index as usize].coords.data.0[0];
+    let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
+    let mut order: Vec<u32> = (0u32..)
+        .zip(points)
+        .filter(|(_, point)| is_finite(point))
+        .map(|(index, _)| index)
+        .collect();
+    let by_coordinate = |a: &u32, b: &u32| {
+        let pairs = key(*a).into_iter().zip(key(*b));
+        let first = pairs.map(|(x, y)| (x + 0.0).total_cmp(&(y + 0.0)));
+        first
+            .reduce(std::cmp::Ordering::then)
+            .map_or(a.cmp(b), |it| it.then(a.cmp(b)))
+    };
+    order.sort_unstable_by(by_coordinate);
+    let copies = order.windows(2).any(|it| key(it[0]) == key(it[1]));
+    if order.len() == points.len() && !copies {
+        return None;
+    }
+    let mut stand_in = vec![u32::MAX; points.len()];
+    for equal in order.chunk_by(|&a, &b| key(a) == key(b)) {
+        for &index in equal {
+            stand_in[index as usize] = equal[0];
+        }
+    }
+    Some(Kept::new(points, &stand_in))
+}
+
+/// The distance that parts the copies of a point from the others, where most points have copies.
+fn reach_of_copies(points: &[Point], tree: &KdTree) -> Option<f64> {
+    let stride = points.len().div_ceil(LOOKED_AT).max(1);
+    let mut found = Vec::new();
+    let looked_at = points.iter().step_by(stride);
+    let count = looked_at.len();
+    let mut reaches: Vec<f64> = looked_at
+        .filter_map(|point| {
+            // The nearest of all is the point itself.
+            tree.nearest(point, AROUND + 1, f64::INFINITY, |_| true, &mut found);
+            let near: Vec<u32> = found.iter().skip(1).map(|it| it.index).collect();
+            let distance = |index: u32| (points[index as usize] - point).norm();
+            let step = |pair: &[u32]| distance(pair[1]) / distance(pair[0]);
+            let steps = near.windows(2).map(step).enumerate();
+            let (last, widest) = steps.max_by(|a, b| a.1.total_cmp(&b.1))?;
+            let beyond = near[last + 1..].iter().take(BEYOND);
+            let beyond = beyond.map(|&index| &points[index as usize]);
+            let spread = Spread::of(beyond.chain(std::iter::once(point)))?;
+            let way = points[near[last] as usize] - point;
+            let is_copy = way.dot(&spread.normal()).abs() <= OFF * way.norm();
+            let [inner, outer] = [near[last], near[last + 1]].map(distance);
+            (widest >= STEP && is_copy).then(|| (inner * outer).sqrt())
+        })
+        .collect();
+    (2 * reaches.len() > count).then(|| quantile(&mut reaches, 0.5))
+}
+
+/// Points no two of which are nearer each other than a radius, the first of the cloud first; each of
+/// the others is stood for by one of them within it. O(n log n).
+fn apart(points: &[Point], tree: &KdTree, radius: f64) -> Kept {
+    let mut stand_in = vec![u32::MAX; points.len()];
+    let mut found = Vec::with_capacity(2);
+    for (index, point) in (0u32..).zip(points) {
+        let is_kept = |other: u32| stand_in[other as usize] == other;
+        tree.nearest(point, 1, radius, is_kept, &mut found);
+        stand_in[index as usize] = found.first().map_or(index, |nearest| nearest.index);
+    }
+    Kept::new(points, &stand_in)
+}
+
+#[cfg(test)]
+mod tests;
