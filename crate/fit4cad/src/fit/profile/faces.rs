@@ -1,12 +1,12 @@
 //! Which pieces of the profiles along one direction are faces.
 
-use super::chains::Chain;
 use super::partition::{Piece, partition};
 use super::recurring::{Recurring, VOTES};
 use super::rulings::{Ruling, is_empty_between};
 use super::sections::Section;
 use crate::fit::least_squares::{self, Loss};
 use crate::fit::thin::borders;
+use crate::fit::thin::chains::Chain;
 use crate::fit::thin::profile::{Curve, Place, apart};
 use crate::fit::{Candidate, Search};
 use crate::surface::Surface;
@@ -85,7 +85,7 @@ impl Section {
     /// The line through a piece of two rulings on an arc. Where a row of faces goes around an axis, any
     /// two rulings that are mirror images are on a circle that recurs.
     fn straightened(&self, chain: &Chain, piece: &Piece) -> Option<Piece> {
-        let [first, last] = piece.ends.map(|end| self.rulings[chain.rulings[end]].place);
+        let [first, last] = piece.ends.map(|end| self.rulings[chain.places[end]].place);
         let is_arc = matches!(piece.curve, Curve::Circle(..));
         (is_arc && piece.ends[1] - piece.ends[0] == 1).then_some(Piece {
             curve: Curve::Line(first, last),
@@ -101,7 +101,7 @@ impl Section {
         let mut proved = Vec::new();
         let mut run: Vec<Face> = Vec::new();
         // Whether what comes before the run is known.
-        let mut anchored = self.is_end_known(chain, chain.rulings.first());
+        let mut anchored = self.is_end_known(chain, chain.places.first());
         for face in faces {
             match face {
                 Some(face) if face.is_sure => {
@@ -119,7 +119,7 @@ impl Section {
                 }
             }
         }
-        if anchored && is_short(&run) && self.is_end_known(chain, chain.rulings.last()) {
+        if anchored && is_short(&run) && self.is_end_known(chain, chain.places.last()) {
             proved.append(&mut run);
         }
         proved
@@ -131,7 +131,7 @@ impl Section {
     }
 
     fn partition(&self, chain: &Chain, exact: f64, recurring: &Recurring) -> Vec<Piece> {
-        let rulings = chain.rulings.iter();
+        let rulings = chain.places.iter();
         let places: Vec<Place> = rulings.map(|&it| self.rulings[it].place).collect();
         partition(&places, exact, recurring)
     }
@@ -156,7 +156,7 @@ impl Section {
             let long = pieces.filter(|piece| piece.ends[1] - piece.ends[0] >= SURE_ARC);
             sure.extend(long.map(|piece| piece.curve));
         }
-        let linked = self.chains.iter().flat_map(|chain| &chain.rulings);
+        let linked = self.chains.iter().flat_map(|chain| &chain.places);
         let places: Vec<Place> = linked.map(|&row| self.rulings[row].place).collect();
         Recurring::of(&sure, &places, search.scale.tolerance)
     }
@@ -169,7 +169,7 @@ impl Section {
         piece: &Piece,
         exact: f64,
     ) -> Option<Face> {
-        let rulings = &chain.rulings[piece.ends[0]..=piece.ends[1]];
+        let rulings = &chain.places[piece.ends[0]..=piece.ends[1]];
         let [first, .., last] = *rulings else {
             return None;
         };

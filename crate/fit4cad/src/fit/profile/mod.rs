@@ -14,14 +14,12 @@
 //!
 //! ```text
 //! rulings     points → rows along the direction
-//! chains      rows → the order in which the profile runs through them
 //! recurring   rows, accepted cylinders → circles and radii that recur
 //! partition   places in order → lines and arcs
 //! sections    all of it, and what is known
 //! faces       pieces → those that are proved
 //! ```
 
-mod chains;
 mod faces;
 mod partition;
 mod recurring;

@@ -1,10 +1,11 @@
 //! The profiles along one direction, and what is known of them.
 
-use super::chains::{Chain, chains};
 use super::faces::Face;
 use super::rulings::{Ruling, rulings};
 use crate::cloud::Direction;
+use crate::fit::thin::chains::{Chain, chains};
 use crate::fit::thin::plan::Plan;
+use crate::fit::thin::profile::Place;
 use crate::fit::{Candidate, Search};
 use crate::surface::Surface;
 
@@ -73,7 +74,9 @@ impl Section {
                 .iter()
                 .all(|&face| search.accepted()[face].surface.distance(&to) > search.scale.tolerance)
         };
-        self.chains = chains(&self.rulings, &capacity, reach, allows);
+        let places: Vec<Place> = self.rulings.iter().map(|it| it.place).collect();
+        let beside = |a: usize, b: usize| self.rulings[a].is_beside(&self.rulings[b]);
+        self.chains = chains(&places, &capacity, reach, beside, allows);
     }
 
     /// Whether a surface is extruded along the direction.

@@ -1,11 +1,13 @@
 //! From the surfaces a method found to a segmentation: prune, label, patches. Every fitter shares
 //! these stages, so methods differ only in what they find.
 
+mod contacts;
 mod halves;
 mod label;
 mod patches;
 mod prune;
 
+pub use contacts::split_contacts;
 pub use halves::join_halves;
 pub use label::{Labels, label};
 pub use patches::{Patch, patches};
@@ -33,6 +35,7 @@ pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmen
     // Of a clean cloud small patches too may be halves of one that is not.
     let alone = if search.scale.is_clean() { 1 } else { smallest };
     let patches = patches(search, &kept, &labels, alone);
+    let patches = split_contacts(search, &labels, patches);
     let mut primitives: Vec<Primitive> = Vec::new();
     for Patch { surface, points } in join_halves(search, patches) {
         if points.len() >= smallest {

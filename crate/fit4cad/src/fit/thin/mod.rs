@@ -4,6 +4,7 @@
 //! ```text
 //! axis, plan             the half-plane of a known axis, and the plane across a direction
 //! profile, curve         faces as curves of these planes
+//! chains                 places → the order in which a curve runs through them
 //! coaxial, swept         surfaces through few points, about or along what is known beside them
 //! rows                   what the rows of points on a thin face prove
 //! borders                where accepted surfaces end and nothing yet begins
@@ -13,6 +14,7 @@
 
 pub mod axis;
 pub mod borders;
+pub mod chains;
 pub mod coaxial;
 pub mod curve;
 pub mod plan;

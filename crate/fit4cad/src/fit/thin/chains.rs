@@ -1,58 +1,59 @@
-//! Chains: the rulings in the order in which the profile runs through them.
+//! Chains: places of a plane in the order in which a curve runs through them.
 
-use super::rulings::Ruling;
+use super::profile::{Place, apart};
 use crate::cloud::Point;
 use crate::cloud::neighbours::{KdTree, is_gabriel_link};
 use crate::disjoint::DisjointSets;
-use crate::fit::thin::profile::apart;
 
-/// Nearest rulings that one may be linked to.
+/// Nearest places that one may be linked to.
 const NEAREST: usize = 8;
-/// Fewest rulings around a closed profile.
+/// Fewest places around a closed curve.
 const AROUND: usize = 4;
 
-/// Rulings in order.
+/// Places in order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Chain {
-    /// Positions of the rulings; of a closed chain the first comes last again.
-    pub rulings: Vec<usize>,
+    /// Numbers of the places; of a closed chain the first comes last again.
+    pub places: Vec<usize>,
     /// Whether it ends where it begins.
     pub is_closed: bool,
 }
 
-/// Chains of rulings not more than `reach` apart. A profile passes every place once, so a ruling is
-/// linked to at most two others, and to fewer where `capacity` tells that the faces there are known;
-/// the shortest links that `allows` admits go first. O(r log r).
+/// Chains of places not more than `reach` apart. A curve passes every place once, so a place is linked
+/// to at most two others that are `beside` it, and to fewer where `capacity` tells so; the shortest
+/// links that `allows` admits go first. O(p log p).
 pub fn chains(
-    rulings: &[Ruling],
+    places: &[Place],
     capacity: &[u8],
     reach: f64,
+    beside: impl Fn(usize, usize) -> bool,
     allows: impl Fn(usize, usize) -> bool,
 ) -> Vec<Chain> {
-    let at = |ruling: &Ruling| Point::new(ruling.place[0], ruling.place[1], 0.0);
-    let places: Vec<Point> = rulings.iter().map(at).collect();
-    let tree = KdTree::new(&places);
+    let points: Vec<Point> = places
+        .iter()
+        .map(|it| Point::new(it[0], it[1], 0.0))
+        .collect();
+    let tree = KdTree::new(&points);
     let mut links: Vec<(f64, usize, usize)> = Vec::new();
     let mut near = Vec::new();
-    for (number, ruling) in rulings.iter().enumerate() {
-        let is_beside =
-            |other: u32| other as usize != number && rulings[other as usize].is_beside(ruling);
-        tree.nearest(&places[number], NEAREST, reach, is_beside, &mut near);
+    for (number, point) in points.iter().enumerate() {
+        let is_beside = |other: u32| other as usize != number && beside(other as usize, number);
+        tree.nearest(point, NEAREST, reach, is_beside, &mut near);
         for (rank, neighbour) in near.iter().enumerate() {
             let other = neighbour.index as usize;
-            let nearer = near[..rank].iter().map(|it| &places[it.index as usize]);
-            let is_open = is_gabriel_link(&places[number], &places[other], nearer);
+            let nearer = near[..rank].iter().map(|it| &points[it.index as usize]);
+            let is_open = is_gabriel_link(point, &points[other], nearer);
             if is_open && allows(number, other) && allows(other, number) {
-                let length = apart(ruling.place, rulings[other].place);
+                let length = apart(places[number], places[other]);
                 links.push((length, number.min(other), number.max(other)));
             }
         }
     }
     links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     links.dedup();
-    let mut next: Vec<Vec<usize>> = vec![Vec::new(); rulings.len()];
-    let mut sets = DisjointSets::new(rulings.len());
-    let mut size = vec![1; rulings.len()];
+    let mut next: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
+    let mut sets = DisjointSets::new(places.len());
+    let mut size = vec![1; places.len()];
     for (_, a, b) in links {
         let has_room = |it: usize| next[it].len() < usize::from(capacity[it].min(2));
         let (one, other) = (sets.root(a), sets.root(b));
@@ -80,19 +81,19 @@ fn walk(next: &[Vec<usize>]) -> Vec<Chain> {
         if seen[start] || next[start].is_empty() {
             continue;
         }
-        let mut rulings = vec![start];
+        let mut places = vec![start];
         seen[start] = true;
         let mut at = start;
         while let Some(&following) = next[at].iter().find(|&&it| !seen[it]) {
             seen[following] = true;
-            rulings.push(following);
+            places.push(following);
             at = following;
         }
-        let is_closed = rulings.len() > 2 && next[at].contains(&start);
+        let is_closed = places.len() > 2 && next[at].contains(&start);
         if is_closed {
-            rulings.push(start);
+            places.push(start);
         }
-        chains.push(Chain { rulings, is_closed });
+        chains.push(Chain { places, is_closed });
     }
     chains
 }
