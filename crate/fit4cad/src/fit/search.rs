@@ -8,6 +8,7 @@ pub use outline::{EXACT, widest_gap};
 use std::f64::consts::FRAC_PI_2;
 
 use super::least_squares::{self, Loss, degrees_of_freedom};
+use super::thin::curve::is_curve;
 use super::{Candidate, Parameters, Scale};
 use crate::cloud::neighbours::{KdTree, Neighbour, Neighbourhoods};
 use crate::cloud::{Cloud, Point};
@@ -59,9 +60,7 @@ impl Marks {
         *stamp = self.current;
         new
     }
-}
 
-impl Marks {
     fn contains(&self, index: u32) -> bool {
         self.stamps[index as usize] == self.current
     }
@@ -178,12 +177,14 @@ impl<'a> Search<'a> {
     /// to the patch and adds the graph neighbours that lie on it, at most quadrupling the patch at a
     /// time, since the surface is known only as far as the points it was fitted to reach.
     ///
-    /// `None` where fewer points hold on to it than degrees of freedom plus one, or the surface
-    /// degenerates (see [`Search::is_plausible`]). O(points of the patch).
+    /// `None` where fewer points hold on to it than degrees of freedom plus one, the surface
+    /// degenerates (see [`Search::is_plausible`]), or so many points are on one line or circle that
+    /// the patch is but a row of them. O(points of the patch).
     pub fn grow(&mut self, start: &Surface, seeds: &[u32]) -> Option<Candidate> {
         let needed = degrees_of_freedom(start.kind()) + 1;
         let mut surface = *start;
         let mut support = self.flood(&surface, seeds, 4 * seeds.len().max(needed));
+        let mut may_be_row = true;
         for _ in 0..GROWTH_ROUNDS {
             if support.len() < needed {
                 return None;
@@ -197,6 +198,13 @@ impl<'a> Search<'a> {
             let next = self.flood(&surface, &support, limit);
             let settled = next.len() <= support.len() + support.len() / 200;
             support = next;
+            // Every surface through a long row would grow along all of it, from every point of it.
+            if may_be_row && support.len() >= ROW {
+                if is_curve(&self.points(&support), 2.0 * self.scale.tolerance) {
+                    return None;
+                }
+                may_be_row = false;
+            }
             if settled {
                 break;
             }
@@ -370,6 +378,8 @@ impl<'a> Search<'a> {
 }
 
 const GROWTH_ROUNDS: usize = 24;
+/// Points of a patch at which it is to be more than one row of them.
+const ROW: usize = 200;
 /// Smallest half-angle of a cone without noise, in radians: drafts of moulded parts are a few
 /// thousandths. A slimmer cone is a cylinder, one that much wider a plane.
 const SLIMMEST: f64 = 5e-4;

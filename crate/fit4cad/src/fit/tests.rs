@@ -182,6 +182,23 @@ fn clouds_of_nothing_much_are_fitted_without_harm() {
     }
 }
 
+/// Every surface through a few of the points passes through all of them, so that trying each of them
+/// anew took a minute.
+#[test]
+fn a_long_row_of_points_has_no_face_and_is_soon_given_up() {
+    let row = |at: fn(f64) -> Point| (0..10_000).map(|i| at(0.01 * f64::from(i))).collect();
+    let line: Vec<Point> = row(|t| Point::new(0.3 * t, 0.7 * t, 0.1 * t));
+    let circle = row(|t| {
+        let turn = std::f64::consts::TAU * t / 100.0;
+        Point::new(16.0 * turn.cos(), 16.0 * turn.sin(), 0.0)
+    });
+    for points in [line, circle] {
+        for method in METHODS {
+            assert_eq!(fitted(&points, method, 1).primitives, []);
+        }
+    }
+}
+
 #[test]
 fn an_observer_can_stop_a_fit() {
     struct Impatient;

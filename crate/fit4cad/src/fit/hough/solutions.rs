@@ -5,6 +5,7 @@ use crate::fit::Search;
 use crate::fit::least_squares::degrees_of_freedom;
 use crate::fit::local;
 use crate::fit::pure::{flat, pure};
+use crate::fit::thin::curve::is_curve;
 use crate::surface::{Surface, SurfaceType};
 
 /// Points beyond its degrees of freedom that must agree with a local solution: with fewer, points
@@ -27,8 +28,12 @@ pub fn flat_vote(search: &Search<'_>, index: u32) -> Option<Vote> {
     })
 }
 
-/// The vote of a neighbourhood all of whose points lie on one simple surface.
+/// The vote of a neighbourhood all of whose points lie on one simple surface. None where they are on
+/// one line or circle, through which too many surfaces pass.
 pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote> {
+    if is_curve(&search.points(patch), search.scale.tolerance) {
+        return None;
+    }
     let surface = pure(search, patch)?;
     Some(Vote {
         surface,
@@ -37,7 +42,8 @@ pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote>
 }
 
 /// The votes of a neighbourhood that may reach over edges: of each family the surface that most of
-/// its points agree with, as long as no other family sees more than `slack` points more.
+/// its points agree with, as long as no other family sees more than `slack` points more. None where
+/// all points are on one line or circle.
 pub fn mixed_votes(
     search: &Search<'_>,
     index: u32,
@@ -47,6 +53,9 @@ pub fn mixed_votes(
     found: &mut Vec<Vote>,
 ) {
     let points = search.points(patch);
+    if is_curve(&points, search.scale.tolerance) {
+        return;
+    }
     let mut best: Vec<(usize, Surface)> = Vec::new();
     for &kind in kinds {
         let needed = (degrees_of_freedom(kind) + SPARE).max(points.len() / 2);

@@ -195,3 +195,14 @@ fn surfaces_that_nobody_would_call_by_their_name_are_not_plausible() {
     assert!(!search.is_plausible(&tube(search.scale.tolerance)));
     assert!(!search.is_plausible(&tube(f64::NAN)));
 }
+
+#[test]
+fn a_long_row_of_points_grows_no_patch_and_two_rows_do() {
+    let row = |y: f64| (0..500).map(move |i| Point::new(f64::from(i), y, 0.0));
+    let seeds: Vec<u32> = (0..8).collect();
+    let one = Cloud::new(row(0.0).collect());
+    assert_eq!(search(&one).grow(&top(), &seeds), None);
+    let two = Cloud::new(row(0.0).chain(row(1.0)).collect());
+    let patch = search(&two).grow(&top(), &seeds).unwrap();
+    assert_eq!(patch.support.len(), 1000);
+}
