@@ -89,8 +89,6 @@ impl Region {
     /// Apexes of slim cones and centres of large spheres lie outside the cloud's box, by up to
     /// this many diagonals.
     const REACH: f64 = 4.0;
-    /// Cells along each of three axes.
-    const MOST_STEPS: f64 = 1200.0;
     /// Radii are looked for up to this many diagonals: a patch of a larger one is flat to the eye.
     const LARGEST: f64 = 4.0;
 
@@ -103,12 +101,7 @@ impl Region {
             Rung::Direction => Vec::new(),
             Rung::Offset => vec![length(0.5)],
             Rung::Across => vec![length(Self::REACH); 2],
-            Rung::Position => {
-                // The cells of three axes must be countable in 32 bits.
-                let reach = Self::REACH * diagonal;
-                let step = self.length_step.max(2.0 * reach / Self::MOST_STEPS);
-                vec![Axis::new(-reach, reach, step); 3]
-            }
+            Rung::Position => vec![length(Self::REACH); 3],
             Rung::Radius => vec![radius()],
             Rung::HalfAngle => vec![Axis::new(0.0, std::f64::consts::FRAC_PI_2, self.angle_step)],
             Rung::Radii => vec![radius(); 2],

@@ -46,6 +46,18 @@ impl Axis {
         }
     }
 
+    /// The same range in at most so many steps.
+    fn coarsened(self, most: usize) -> Self {
+        if self.count <= most {
+            return self;
+        }
+        Self {
+            step: self.step * self.count as f64 / most as f64,
+            count: most,
+            ..self
+        }
+    }
+
     /// Number of steps.
     pub fn count(&self) -> usize {
         self.count
@@ -101,15 +113,22 @@ impl Axis {
 }
 
 /// The cells of a box with one to three axes, the last axis running fastest.
+///
+/// Never more than 32 bits count, on any machine: a browser's engine must find what a native one does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     axes: Vec<Axis>,
 }
 
 impl Grid {
-    /// The box of these axes. Where all steps together would be more than 2⁵² cells the axes are
-    /// kept and cells beyond that number are refused.
+    /// Most steps along each of one, two or three axes.
+    const MOST: [usize; 3] = [Axis::MOST, 65_535, 1200];
+
+    /// The box of these axes; more steps than can be counted together are coarsened.
     pub fn new(axes: Vec<Axis>) -> Self {
+        let dimension = axes.len().clamp(1, Self::MOST.len());
+        let most = Self::MOST[dimension - 1];
+        let axes = axes.into_iter().map(|axis| axis.coarsened(most)).collect();
         Self { axes }
     }
 
@@ -237,6 +256,17 @@ mod tests {
         assert_eq!(cell, 2 * 4 + 1);
         assert_eq!(grid.parameters(cell), vec![2.5, 0.75]);
         assert_eq!(grid.cell(&[1.0]), None);
+    }
+
+    #[test]
+    fn the_cells_of_any_grid_can_be_counted_in_32_bits() {
+        for dimension in 1..=3 {
+            let grid = Grid::new(vec![Axis::new(-4.0, 4.0, 1e-9); dimension]);
+            assert!(u32::try_from(grid.len()).is_ok());
+            let last = grid.cell(&[4.0; 3]).unwrap();
+            assert_eq!(last, grid.len() - 1);
+            assert_eq!(grid.cell(&[-4.0; 3]), Some(0));
+        }
     }
 
     #[test]
