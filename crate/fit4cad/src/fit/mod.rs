@@ -79,6 +79,9 @@ pub struct Fit {
 /// About O(n log n) for a given number of surfaces. Points whose coordinates are not finite stay
 /// unsegmented. The observer may stop the fit; its trace costs nothing when not wanted.
 ///
+/// # Errors
+/// If the observer stops the fit.
+///
 /// ```
 /// use fit4cad::cloud::{Cloud, Point};
 /// use fit4cad::fit::{Method, Parameters, fit};
@@ -130,6 +133,9 @@ fn fit_places(
 
 /// Finds surfaces by a method: what [`fit`] does before the [`stages`] that all methods share. They
 /// are the search's accepted candidates afterwards.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn find(
     search: &mut Search<'_>,
     method: Method,

@@ -126,6 +126,9 @@ parameters! {
 
 impl Parameters {
     /// Sets a parameter by its field name, as the command line and the page do.
+    ///
+    /// # Errors
+    /// If there is no such parameter, or the value is out of its range or a broken count.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), ParameterError> {
         let info = TABLE
             .iter()

@@ -48,7 +48,9 @@ pub struct Cancelled;
 
 /// Follows a fit. Every method has a default that wants nothing, so `&mut ()` is an observer.
 pub trait Observer {
-    /// Called now and then with the stage and how much of it is done, from 0 to 1. Returning
+    /// Called now and then with the stage and how much of it is done, from 0 to 1.
+    ///
+    /// # Errors
     /// [`Cancelled`] ends the fit.
     fn progress(&mut self, stage: Stage, fraction: f64) -> Result<(), Cancelled> {
         let _ = (stage, fraction);

@@ -17,6 +17,9 @@ const AROUND: [usize; 3] = [4, 5, 6];
 const GAP: f64 = 1.7;
 
 /// Finds the specks of a clean cloud among its unexplained points. O(n log n).
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn specks(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     if !search.scale.shows_rows() {
         return Ok(());

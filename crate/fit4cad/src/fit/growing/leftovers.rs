@@ -21,6 +21,9 @@ const SAME: f64 = 1e-3;
 
 /// Finds surfaces about the axes of those found so far: with the axis known, patches suffice that are
 /// too small or too flat to have one of their own.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn about_known_axes(
     search: &mut Search<'_>,
     observer: &mut dyn Observer,
@@ -50,6 +53,9 @@ pub fn about_known_axes(
 }
 
 /// Finds thin faces until no pass over the free points finds another.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn thin_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     // Rows of narrow extruded faces first: of these the profile as a whole tells more than any few rows.
     let told = rows_of_faces(search, observer);

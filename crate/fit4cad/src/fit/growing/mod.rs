@@ -29,6 +29,9 @@ const SLIPPAGE_SAMPLE: usize = 300;
 const SIMPLE: f64 = 0.5;
 
 /// Finds surfaces by growing primitives, step by step as in the paper.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     let order = detect::shuffled(search);
     let regions = smooth_regions(search, &order, observer);

@@ -21,6 +21,9 @@ const MISSED: f64 = 0.05;
 const MOST_DRAWS: usize = 300;
 
 /// Splits what is unexplained of a region into surfaces; the rest stays unexplained.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn split(
     search: &mut Search<'_>,
     region: &[u32],

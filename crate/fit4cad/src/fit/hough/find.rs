@@ -39,6 +39,9 @@ const QUICK: [SurfaceType; 4] = [
 /// Finds the surfaces of a cloud; they are the search's accepted candidates afterwards.
 ///
 /// O(n log n) for a fixed number of surfaces.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), Cancelled> {
     if search.cloud.is_empty() {
         return Ok(());
@@ -205,6 +208,9 @@ impl Work<'_> {
 
     /// Rounds of votes by unexplained points until each has been a seed, was blocked or is
     /// explained, or too many seeds have led nowhere.
+    ///
+    /// # Errors
+    /// If the observer stops the fit.
     pub fn pass(
         &mut self,
         search: &mut Search<'_>,

@@ -18,6 +18,9 @@ const STAND_OUT: f64 = 2.6;
 const SIZES: [usize; 2] = [20, 160];
 
 /// Finds the surfaces of a noisy cloud.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn find(search: &mut Search<'_>, work: &mut Work<'_>) -> Result<(), Cancelled> {
     let size = neighbourhood(search);
     let passes = [

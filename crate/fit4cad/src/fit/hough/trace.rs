@@ -51,6 +51,9 @@ impl<'o> Recorder<'o> {
     }
 
     /// Passes progress on.
+    ///
+    /// # Errors
+    /// If the observer stops the fit.
     pub fn progress(&mut self, stage: Stage, fraction: f64) -> Result<(), Cancelled> {
         self.observer.progress(stage, fraction)
     }

@@ -19,6 +19,9 @@ use super::search::Search;
 use crate::model::{Primitive, Segmentation};
 
 /// Runs the three stages on what a search accepted.
+///
+/// # Errors
+/// If the observer stops the fit.
 pub fn finish(search: &Search<'_>, observer: &mut dyn Observer) -> Result<Segmentation, Cancelled> {
     observer.progress(Stage::Prune, 0.0)?;
     let kept = prune(search, search.accepted().to_vec());
