@@ -280,7 +280,7 @@ impl<'a> Search<'a> {
         match surface {
             Surface::Plane(_) => true,
             Surface::Cylinder(s) => (smallest..largest).contains(&s.radius),
-            Surface::Cone(s) => (slimmest..FRAC_PI_2 - slimmest).contains(&s.half_angle),
+            Surface::Cone(s) => (slimmest..FRAC_PI_2 - FLATTEST).contains(&s.half_angle),
             Surface::Sphere(s) => (smallest..largest).contains(&s.radius),
             Surface::Torus(s) => {
                 (smallest..largest).contains(&s.minor_radius)
@@ -381,8 +381,11 @@ const GROWTH_ROUNDS: usize = 24;
 /// Points of a patch at which it is to be more than one row of them.
 const ROW: usize = 200;
 /// Smallest half-angle of a cone without noise, in radians: drafts of moulded parts are a few
-/// thousandths. A slimmer cone is a cylinder, one that much wider a plane.
+/// thousandths. A slimmer cone is a cylinder.
 const SLIMMEST: f64 = 5e-4;
+/// How far, in radians, the half-angle of a cone stays from a right one: a flatter cone is a plane. It
+/// may have most of the points of a narrow strip of a plane and a row of the face beside it.
+const FLATTEST: f64 = 8e-3;
 /// Smallest major radius of a torus, in minor ones: turned profiles may cut their axis.
 const FATTEST: f64 = 0.1;
 /// By how many parts in the root of the number of points a fitting error may be larger by chance.
