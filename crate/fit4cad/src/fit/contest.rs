@@ -206,7 +206,7 @@ pub fn is_evident(search: &mut Search<'_>, candidate: &Candidate) -> bool {
 ///
 /// Every acceptance changes what the others are worth: the points it explains are theirs no more, and
 /// a border that ended in nowhere may end there now. Returns how many were accepted; each is shown
-/// to `accepted_one` first.
+/// to `accepted_one` first. O(candidates² × points of one).
 pub fn accept_winners(
     search: &mut Search<'_>,
     candidates: Vec<Candidate>,

@@ -48,7 +48,7 @@ pub struct Cancelled;
 
 /// Follows a fit. Every method has a default that wants nothing, so `&mut ()` is an observer.
 pub trait Observer {
-    /// Called now and then with the stage and how much of it is done, from 0 to 1.
+    /// Called now and then with the stage and how much of it is done, from 0 to 1, never less than before.
     ///
     /// # Errors
     /// [`Cancelled`] ends the fit.
@@ -57,7 +57,8 @@ pub trait Observer {
         Ok(())
     }
 
-    /// Whether [`Observer::trace`] wants to be called; asked once, at the start.
+    /// Whether [`Observer::trace`] wants to be called; asked before anything is gathered for it, and to
+    /// be answered the same way all through a fit.
     fn wants_trace(&self) -> bool {
         false
     }

@@ -178,13 +178,14 @@ impl<'a> Search<'a> {
     /// time, since the surface is known only as far as the points it was fitted to reach.
     ///
     /// `None` where fewer points hold on to it than degrees of freedom plus one, the surface
-    /// degenerates (see [`Search::is_plausible`]), or so many points are on one line or circle that
-    /// the patch is but a row of them. O(points of the patch).
+    /// degenerates (see [`Search::is_plausible`]), or so many exact points are on one line or circle
+    /// that the patch is but a row of them. O(points of the patch).
     pub fn grow(&mut self, start: &Surface, seeds: &[u32]) -> Option<Candidate> {
         let needed = degrees_of_freedom(start.kind()) + 1;
         let mut surface = *start;
         let mut support = self.flood(&surface, seeds, 4 * seeds.len().max(needed));
-        let mut may_be_row = true;
+        // Within noise a true band may be as narrow.
+        let mut may_be_row = self.scale.is_clean();
         for _ in 0..GROWTH_ROUNDS {
             if support.len() < needed {
                 return None;
@@ -305,7 +306,10 @@ impl<'a> Search<'a> {
     }
 
     /// The best of several candidates for the same place: the one worth most; of those that are
-    /// worth nearly as much, the simplest, unless its mean fitting error is clearly larger.
+    /// worth nearly as much, the simplest, unless its root mean square error is clearly larger.
+    ///
+    /// The paper compares mean fitting errors alone. Here every candidate has grown as far as its
+    /// surface reaches within the tolerance, so a wrong family shows in fewer points first.
     pub fn best(&self, mut candidates: Vec<Candidate>) -> Option<Candidate> {
         let rated = candidates.iter().map(|c| (self.worth(c), c));
         let place = self.best_of(&rated.collect::<Vec<_>>())?;

@@ -200,6 +200,32 @@ fn a_long_row_of_points_has_no_face_and_is_soon_given_up() {
 }
 
 #[test]
+fn progress_never_goes_back() {
+    struct Follower(Vec<(Stage, f64)>);
+    impl Observer for Follower {
+        fn progress(&mut self, stage: Stage, fraction: f64) -> Result<(), Cancelled> {
+            self.0.push((stage, fraction));
+            Ok(())
+        }
+    }
+    let mut random = fastrand::Rng::with_seed(1);
+    let exact = boss_on_a_plate();
+    let noisy = exact
+        .iter()
+        .map(|p| p + Vector::from_fn(|_, _| 0.03 * (random.f64() - 0.5)))
+        .collect();
+    for points in [exact, noisy] {
+        let cloud = Cloud::new(points);
+        for method in METHODS {
+            let mut follower = Follower(Vec::new());
+            fit(&cloud, method, &Parameters::default(), 1, &mut follower).unwrap();
+            assert!(follower.0.is_sorted(), "{method:?}: {:?}", follower.0);
+            assert_eq!(follower.0.last(), Some(&(Stage::Patches, 1.0)));
+        }
+    }
+}
+
+#[test]
 fn an_observer_can_stop_a_fit() {
     struct Impatient;
     impl Observer for Impatient {

@@ -182,7 +182,7 @@ pub fn split(cloud: &Cloud, region: &[u32], seed: u64) -> Result<Vec<Candidate>,
         .copied()
         .filter(|&index| (index as usize) < count)
         .collect();
-    ransac::split(&mut search, &region, &mut ())?;
+    ransac::split(&mut search, &region, 0.0, &mut ())?;
     Ok(search.into_accepted())
 }
 

@@ -1,4 +1,4 @@
-//! Step 5: what regions leave over. Thin faces lie on the borders of others, so that no region is
+//! What regions leave over, which the paper does not look for. Thin faces lie on the borders of others, so that no region is
 //! theirs alone: their surfaces are proposed from what lies beside them, grown to connected support
 //! as those of any minimal set, and compete for the points that are still free.
 

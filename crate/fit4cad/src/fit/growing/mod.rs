@@ -6,7 +6,16 @@
 //! into regions ([`regions`]), the rigid motions that slide a region over itself give its invariance
 //! class ([`slippage`]), and regions of more than one surface are split by RANSAC ([`ransac`]). What
 //! is left over is mostly thin faces, which only what lies beside them tells ([`leftovers`]).
-//! Every step is a function of its own whose result goes to the trace.
+//!
+//! | step of the paper | function | in the trace |
+//! |---|---|---|
+//! | 1 surface variation, sharp points | [`variation::surface_variation`], [`variation::threshold`] | `SurfaceVariation` |
+//! | 2 region growing | [`regions::grow`] | `Regions` |
+//! | 3 slippage analysis | [`slippage::Slippage::of`] | `Slippage` |
+//! | 4 least squares, RANSAC | [`slippage::Slippage::starts`], [`ransac::split`] | `Accepted` |
+//! | 5 sharp points, oversegmented neighbours | [`label`](super::stages::label()), [`prune`](super::stages::prune()) | the result |
+//!
+//! The fifth is shared with every other fitter, and follows on pruning: what is merged is labelled once.
 
 pub mod leftovers;
 pub mod ransac;
@@ -36,8 +45,9 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
     let order = detect::shuffled(search);
     let regions = smooth_regions(search, &order, observer);
     for (place, region) in regions.iter().enumerate() {
-        observer.progress(Stage::Find, 0.6 * place as f64 / regions.len() as f64)?;
-        refine(search, place, region, observer)?;
+        let done = 0.6 * place as f64 / regions.len() as f64;
+        observer.progress(Stage::Find, done)?;
+        refine(search, place, region, done, observer)?;
     }
     drop(regions);
     // Sharp points on a primitive are its own by now, as growth follows a surface up to its edges.
@@ -45,8 +55,9 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
     let left = regions::grow(&search.graph, &order, |i| search.is_explained(i));
     drop(order);
     for (place, region) in left.iter().enumerate() {
-        observer.progress(Stage::Find, 0.6 + 0.3 * place as f64 / left.len() as f64)?;
-        ransac::split(search, region, observer)?;
+        let done = 0.6 + 0.3 * place as f64 / left.len() as f64;
+        observer.progress(Stage::Find, done)?;
+        ransac::split(search, region, done, observer)?;
     }
     drop(left);
     if search.scale.is_clean() {
@@ -93,6 +104,7 @@ fn refine(
     search: &mut Search<'_>,
     place: usize,
     region: &[u32],
+    done: f64,
     observer: &mut dyn Observer,
 ) -> Result<(), Cancelled> {
     let open: Vec<u32> = region
@@ -118,7 +130,7 @@ fn refine(
             detect::keep(search, candidate, observer);
         }
     }
-    ransac::split(search, &open, observer)
+    ransac::split(search, &open, done, observer)
 }
 
 /// An even sample of a region with normals from the curvature of each neighbourhood.

@@ -20,13 +20,15 @@ const MISSED: f64 = 0.05;
 /// Draws in vain after which a region is left as it is, however large.
 const MOST_DRAWS: usize = 300;
 
-/// Splits what is unexplained of a region into surfaces; the rest stays unexplained.
+/// Splits what is unexplained of a region into surfaces; the rest stays unexplained. `done` is the
+/// share of the search that is done, for the observer.
 ///
 /// # Errors
 /// If the observer stops the fit.
 pub fn split(
     search: &mut Search<'_>,
     region: &[u32],
+    done: f64,
     observer: &mut dyn Observer,
 ) -> Result<(), Cancelled> {
     let smallest = Parameters::count(search.parameters.smallest);
@@ -53,7 +55,7 @@ pub fn split(
         }
         draws += 1;
         if draws.is_multiple_of(32) {
-            observer.progress(Stage::Find, 0.5)?;
+            observer.progress(Stage::Find, done)?;
         }
     }
 }

@@ -55,7 +55,7 @@ fn an_oversegmented_face_becomes_one_primitive() {
     let regions = regions::grow(&search.graph, &order, |i| (i % 40) % 8 < 4);
     assert_eq!(regions.len(), 5);
     for (place, region) in regions.iter().enumerate() {
-        refine(&mut search, place, region, &mut ()).unwrap();
+        refine(&mut search, place, region, 0.0, &mut ()).unwrap();
     }
     let primitives = stages::finish(&search, &mut ()).unwrap().primitives;
     let whole: Vec<u32> = (0..1600).collect();

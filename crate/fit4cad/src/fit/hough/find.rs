@@ -94,7 +94,7 @@ impl Work<'_> {
     /// The search of a cloud whose points are on their surfaces: a handful that agree are no
     /// accident, so votes are trusted the more points they explain, the fewer the later.
     fn exact(&mut self, search: &mut Search<'_>) -> Result<(), Cancelled> {
-        self.planes(search);
+        self.planes(search)?;
         // Neighbourhoods within one face: cheap, and wrong ones give no vote at all.
         for (size, progress) in [(16, [0.2, 0.4]), (28, [0.4, 0.5]), (10, [0.5, 0.6])] {
             let pass = Pass {
@@ -149,7 +149,7 @@ impl Work<'_> {
         let pass = Pass {
             failures: 60,
             batch: BATCH,
-            progress: [0.7, 0.8],
+            progress: [0.72, 0.8],
         };
         self.pass(search, pass, &mut |search, seed, votes, blocked| {
             let patch = search.unexplained_near(seed, 28);
@@ -174,6 +174,7 @@ impl Work<'_> {
         if !search.scale.shows_rows() {
             return self.recorder.progress(Stage::Find, 1.0);
         }
+        self.recorder.progress(Stage::Find, 0.95)?;
         let directions = recurring_directions(search, self.spaces.directions());
         let recorder = &mut self.recorder;
         let told = profile::extruded(search, &directions, &mut |face| recorder.accepted(face));
@@ -181,7 +182,7 @@ impl Work<'_> {
         borders.close(&told);
         let mut proposer = Proposer::default();
         for _ in 0..thin::PASSES {
-            if self.borders(search, &mut borders, &mut proposer) == 0 {
+            if self.borders(search, &mut borders, &mut proposer)? == 0 {
                 break;
             }
         }
@@ -189,7 +190,7 @@ impl Work<'_> {
     }
 
     /// Planes first: their votes cost least and explain most.
-    fn planes(&mut self, search: &mut Search<'_>) {
+    fn planes(&mut self, search: &mut Search<'_>) -> Result<(), Cancelled> {
         let count = search.cloud.len() as u32;
         let mut stride = count.div_ceil(FIRST_VOTERS).max(1);
         loop {
@@ -200,8 +201,9 @@ impl Work<'_> {
                 .collect();
             let accepted = round(search, self, &votes, &mut Evidence::Own);
             if accepted == 0 && stride == 1 {
-                return;
+                return Ok(());
             }
+            self.recorder.progress(Stage::Find, 0.1)?;
             stride = (stride / 4).max(1);
         }
     }
@@ -267,10 +269,11 @@ impl Work<'_> {
         search: &mut Search<'_>,
         borders: &mut Borders,
         proposer: &mut Proposer,
-    ) -> usize {
+    ) -> Result<usize, Cancelled> {
         proposer.directions = recurring_directions(search, self.spaces.directions());
         let mut accepted = 0;
         for size in 0..thin::SIZES.len() {
+            self.recorder.progress(Stage::Find, 0.95)?;
             let proposals = proposer.proposals(search, borders, size).into_iter();
             let votes: Vec<Vote> = proposals
                 .map(|(point, surface)| Vote { surface, point })
@@ -279,7 +282,7 @@ impl Work<'_> {
             accepted += round(search, self, &votes, &mut Evidence::Borders(borders));
             std::mem::swap(&mut self.spaces, &mut self.fine);
         }
-        accepted
+        Ok(accepted)
     }
 }
 

@@ -43,7 +43,7 @@ pub fn pure_vote(search: &Search<'_>, index: u32, patch: &[u32]) -> Option<Vote>
 
 /// The votes of a neighbourhood that may reach over edges: of each family the surface that most of
 /// its points agree with, as long as no other family sees more than `slack` points more. None where
-/// all points are on one line or circle.
+/// all points, being exact, are on one line or circle.
 pub fn mixed_votes(
     search: &Search<'_>,
     index: u32,
@@ -53,7 +53,7 @@ pub fn mixed_votes(
     found: &mut Vec<Vote>,
 ) {
     let points = search.points(patch);
-    if is_curve(&points, search.scale.tolerance) {
+    if search.scale.is_clean() && is_curve(&points, search.scale.tolerance) {
         return;
     }
     let mut best: Vec<(usize, Surface)> = Vec::new();

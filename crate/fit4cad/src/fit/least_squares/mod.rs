@@ -3,7 +3,7 @@
 //!
 //! A plane is solved in closed form (principal directions). The others are minimised by
 //! Levenberg-Marquardt steps on a local chart of the family around the current surface
-//! ([`charts`]): as many unknowns as the surface has degrees of freedom, with no constraint to
+//! (`charts`): as many unknowns as the surface has degrees of freedom, with no constraint to
 //! keep and no redundant direction, so the normal equations are 4 × 4 to 7 × 7 matrices on the
 //! stack. Points are moved to their centroid and scaled to unit size first: the normal equations
 //! square the condition number, and this keeps exact data exact to about 1e-12 of the patch.

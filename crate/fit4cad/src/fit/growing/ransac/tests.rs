@@ -70,7 +70,7 @@ fn split_whole(points: Vec<Point>) -> Vec<Candidate> {
     let cloud = Cloud::new(points);
     let mut search = Search::new(&cloud, &Parameters::default(), 1);
     let region: Vec<u32> = (0..cloud.len() as u32).collect();
-    split(&mut search, &region, &mut ()).unwrap();
+    split(&mut search, &region, 0.0, &mut ()).unwrap();
     let mut found = search.into_accepted();
     found.sort_by_key(|candidate| candidate.surface.kind());
     found
