@@ -118,7 +118,7 @@ parameters! {
     "Maxima of the accumulator with less topological persistence than this are noise.";
 
     variation_neighbours: count in 6.0 ..= 60.0, default 15.0 "points", &[Method::Growing],
-    "Neighbours over which the surface variation of a point is taken (the paper's n).";
+    "Neighbours over which the surface variation of a point is taken (the paper's n); at most `neighbours`.";
 
     sharp_quantile: number in 0.0 ..= 0.95, default 0.0 "quantile", &[Method::Growing],
     "Points whose surface variation is above this quantile are sharp (the paper's η, from 0.65 to 0.95). 0 finds it from the histogram of the cloud.";

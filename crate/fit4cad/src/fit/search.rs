@@ -1,6 +1,7 @@
 //! The state of a search for surfaces: the cloud with its neighbours and scale, what has been
 //! accepted and what that explains, and the three steps every method takes (grow, compare, accept).
 
+mod marks;
 mod outline;
 
 pub use outline::{EXACT, widest_gap};
@@ -13,6 +14,7 @@ use super::{Candidate, Parameters, Scale};
 use crate::cloud::neighbours::{KdTree, Neighbour, Neighbourhoods};
 use crate::cloud::{Cloud, Point};
 use crate::surface::{Surface, SurfaceType};
+use marks::Marks;
 
 /// Points a surface is refitted to while it grows; more would not make it more exact.
 const FIT_SAMPLE: usize = 800;
@@ -37,35 +39,6 @@ pub struct Search<'a> {
     marks: Marks,
 }
 
-/// A set of points that is emptied in O(1).
-#[derive(Debug, Default)]
-struct Marks {
-    stamps: Vec<u32>,
-    current: u32,
-}
-
-impl Marks {
-    fn clear(&mut self) {
-        if self.current == u32::MAX {
-            self.stamps.fill(0);
-            self.current = 0;
-        }
-        self.current += 1;
-    }
-
-    /// Whether the point was not yet in the set.
-    fn insert(&mut self, index: u32) -> bool {
-        let stamp = &mut self.stamps[index as usize];
-        let new = *stamp != self.current;
-        *stamp = self.current;
-        new
-    }
-
-    fn contains(&self, index: u32) -> bool {
-        self.stamps[index as usize] == self.current
-    }
-}
-
 impl<'a> Search<'a> {
     /// Prepares a cloud. O(n log n) time, about 130 bytes a point.
     pub fn new(cloud: &'a Cloud, parameters: &Parameters, seed: u64) -> Self {
@@ -85,10 +58,7 @@ impl<'a> Search<'a> {
             random: fastrand::Rng::with_seed(seed),
             accepted: Vec::new(),
             holder: vec![u32::MAX; cloud.len()],
-            marks: Marks {
-                stamps: vec![0; cloud.len()],
-                current: 0,
-            },
+            marks: Marks::of(cloud.len()),
             cloud,
         }
     }
