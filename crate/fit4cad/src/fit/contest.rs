@@ -4,7 +4,7 @@
 use super::least_squares::degrees_of_freedom;
 use super::thin::borders::{BorderPoint, Borders, border};
 use super::thin::curve::is_curve;
-use super::thin::rows::{Proof, proof};
+use super::thin::rows::{Proof, is_torus_by_chance, proof};
 use super::{Candidate, Parameters, Search};
 use crate::cloud::Point;
 use crate::surface::SurfaceType;
@@ -52,6 +52,7 @@ impl Evidence<'_> {
                     && own.len() >= smallest.max(needed)
                     && !is_curve(&search.points(&own), 2.0 * search.scale.tolerance)
                     && (!is_clean || contender.is_wide(search))
+                    && !(is_clean && is_torus_by_chance(search, candidate))
                     && contender.thickness >= THICKNESS
             }
             Self::Borders(borders) => {

@@ -6,7 +6,7 @@
 
 use super::axis::KnownAxis;
 use super::plan::Plan;
-use super::profile::{Curve, Place, apart};
+use super::profile::{self, Curve, Place};
 use crate::cloud::{Direction, Point};
 use crate::fit::{Candidate, Search};
 use crate::surface::Surface;
@@ -34,17 +34,9 @@ const NEARLY_ALL: f64 = 0.85;
 
 /// What the rows of a candidate's points prove. O(points of the patch).
 pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
-    let apart = 4.0 * search.scale.tolerance;
+    let apart = apart(search);
     let points = candidate.support.iter().map(|&index| search.point(index));
-    let rings = || -> usize {
-        KnownAxis::of(&candidate.surface).map_or(MANY, |axis| {
-            let places = points.clone().map(|point| {
-                let place = axis.profile(point);
-                [place.radius, place.height]
-            });
-            count(places, apart)
-        })
-    };
+    let rings = || rings(search, candidate).map_or(MANY, |rings| rings.len().min(MANY));
     match &candidate.surface {
         Surface::Plane(plane) => {
             let flat: Vec<Place> = points.clone().map(seen_along(&plane.normal)).collect();
@@ -81,36 +73,80 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
     }
 }
 
+/// Whether a candidate is a torus through four rings that are two pairs of mirror images, across the
+/// axis: the profile of the tube passes any such four. O(points of the patch).
+pub fn is_torus_by_chance(search: &Search<'_>, candidate: &Candidate) -> bool {
+    let Surface::Torus(_) = candidate.surface else {
+        return false;
+    };
+    let Some(mut rings) = rings(search, candidate) else {
+        return false;
+    };
+    rings.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    are_mirror_pairs(&rings, apart(search))
+}
+
+/// Whether places in order of their distance from the axis are two pairs, each at one distance and both
+/// about the same height.
+fn are_mirror_pairs(places: &[Place], tolerance: f64) -> bool {
+    let [a, b, c, d] = *places else {
+        return false;
+    };
+    let is_pair = |p: Place, q: Place| (p[0] - q[0]).abs() <= tolerance;
+    is_pair(a, b) && is_pair(c, d) && (a[1] + b[1] - c[1] - d[1]).abs() <= 2.0 * tolerance
+}
+
+/// Distance within which points are in one row.
+fn apart(search: &Search<'_>) -> f64 {
+    4.0 * search.scale.tolerance
+}
+
+/// The rings about the axis of a candidate that its points are in; `None` without an axis, or where
+/// they are too many.
+fn rings(search: &Search<'_>, candidate: &Candidate) -> Option<Vec<Place>> {
+    let axis = KnownAxis::of(&candidate.surface)?;
+    let places = candidate.support.iter().map(|&index| {
+        let place = axis.profile(search.point(index));
+        [place.radius, place.height]
+    });
+    fullest(places, apart(search))
+}
+
 /// Where points appear in the plane across a direction.
 fn seen_along(direction: &Direction) -> impl Fn(&Point) -> Place {
     let plan = Plan::new(Point::origin(), *direction);
     move |point| plan.place(point)
 }
 
-/// Number of places, the fullest first, that hold nearly all points, up to [`MANY`]: a few stray
-/// points make no row.
+/// How many of [`fullest`] there are, up to [`MANY`].
 fn count(places: impl Iterator<Item = Place>, tolerance: f64) -> usize {
+    fullest(places, tolerance).map_or(MANY, |rows| rows.len().min(MANY))
+}
+
+/// The places, the fullest first, that hold nearly all points: a few stray points make no row. `None`
+/// where points are in no rows.
+fn fullest(places: impl Iterator<Item = Place>, tolerance: f64) -> Option<Vec<Place>> {
     let mut rows: Vec<(Place, usize)> = Vec::new();
     let mut all = 0;
     for place in places {
         all += 1;
         let known = rows
             .iter()
-            .position(|(row, _)| apart(*row, place) <= tolerance);
+            .position(|(row, _)| profile::apart(*row, place) <= tolerance);
         match known {
             Some(row) => rows[row].1 += 1,
             None if rows.len() < MOST_ROWS => rows.push((place, 1)),
-            None => return MANY,
+            None => return None,
         }
     }
-    let mut members: Vec<usize> = rows.into_iter().map(|(_, members)| members).collect();
-    members.sort_unstable_by_key(|&members| std::cmp::Reverse(members));
+    rows.sort_by_key(|&(_, members)| std::cmp::Reverse(members));
     let mut held = 0;
-    let needed = members.iter().position(|members| {
+    let needed = rows.iter().position(|(_, members)| {
         held += members;
         held as f64 >= NEARLY_ALL * all as f64
     });
-    needed.map_or(0, |last| last + 1).min(MANY)
+    rows.truncate(needed.map_or(0, |last| last + 1));
+    Some(rows.into_iter().map(|(place, _)| place).collect())
 }
 
 /// Whether all places lie on two lines. One of the lines holds two of any three places.
@@ -164,5 +200,16 @@ mod tests {
         let rows = (0..60).map(|i| [f64::from(i % 3), 0.0]);
         let stray = (0..4).map(|i| [0.5, f64::from(i)]);
         assert_eq!(count(rows.chain(stray), 1e-9), 3);
+    }
+
+    #[test]
+    fn corners_of_a_rectangle_are_mirror_pairs_and_rings_of_a_fillet_are_not() {
+        let rectangle = [[2.0, 0.0], [2.0, 1.0], [3.0, 1.0], [3.0, 0.0]];
+        assert!(are_mirror_pairs(&rectangle, 1e-9));
+        let trapezoid = [[2.0, 0.0], [2.0, 1.0], [3.0, 1.5], [3.0, -0.5]];
+        assert!(are_mirror_pairs(&trapezoid, 1e-9));
+        let fillet = [0.0f64, 0.5, 1.0, 1.5].map(|angle| [3.0 - angle.cos(), angle.sin()]);
+        assert!(!are_mirror_pairs(&fillet, 1e-9));
+        assert!(!are_mirror_pairs(&rectangle[..3], 1e-9));
     }
 }
