@@ -77,8 +77,6 @@ test("directory entries are asked for until none are left", async ({ page }) => 
 });
 
 test("a drop that comes before the page is drawn is taken", async ({ page }) => {
-  const folder = test.info().outputPath("early");
-  await writeAll(folder, filesOf("bracket", "PC4"));
   // No frame is drawn, nor anything done that waits for one.
   await page.addInitScript(() => {
     window.requestAnimationFrame = () => 0;
@@ -86,7 +84,12 @@ test("a drop that comes before the page is drawn is taken", async ({ page }) => 
     Object.assign(window, { setTimeout: (run: () => void, wait = 0) => setTimeout(run, wait + 1000) });
   });
   await page.goto("./");
-  await drop(page, [folder]);
+  await page.evaluate((wanted) => {
+    const items = wanted.map(({ path, text }) => ({ kind: "file", getAsFile: () => new File([text], path) }));
+    const event = new Event("drop", { cancelable: true });
+    Object.defineProperty(event, "dataTransfer", { value: { types: ["Files"], items } });
+    window.dispatchEvent(event);
+  }, filesOf("bracket", "PC4"));
   await expect(row(page, "PC4")).toBeVisible();
 });
 

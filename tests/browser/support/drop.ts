@@ -2,7 +2,7 @@
 
 import { mkdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
-import type { Page } from "@playwright/test";
+import { expect, type Page } from "@playwright/test";
 import { zipSync } from "fflate";
 import type { Fixture } from "./engine";
 
@@ -21,12 +21,18 @@ export function zipOf(files: readonly Fixture[]): Buffer {
   return Buffer.from(zipSync(Object.fromEntries(entries)));
 }
 
-/** Drags paths of the disk over the page and lets go. */
+/** Drags paths of the disk over the page and, once the page says so, lets go. */
 export async function drop(page: Page, paths: readonly string[]): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const data = { items: [], files: [...paths], dragOperationsMask: 1 };
-  for (const type of ["dragEnter", "dragOver", "drop"] as const) {
-    await session.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data });
-  }
+  const dispatch = (type: "dragEnter" | "dragOver" | "drop") =>
+    session.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data });
+  // The browser hands nothing to a page that it has not painted yet.
+  await expect(async () => {
+    await dispatch("dragEnter");
+    await dispatch("dragOver");
+    await expect(page.locator(".dropzone")).toBeVisible({ timeout: 500 });
+  }).toPass();
+  await dispatch("drop");
   await session.detach();
 }

@@ -28,17 +28,23 @@ export function filesOf(part: string, name: string, options: Options = {}): Fixt
 function written(part: string, name: string, options: Options): Fixture[] {
   const model = Model.generate(part, options);
   model.imperfect(1);
-  const truth = model.write();
-  const found = model.write(METHOD);
+  const files = filesWith(model, name, METHOD);
   model.free();
+  return files;
+}
+
+/** The files of a model's truth and of one of its submissions. */
+function filesWith(model: Model, name: string, method: string): Fixture[] {
+  const truth = model.write();
+  const found = model.write(method);
   return [
     { path: `pointCloud/${name}.txt`, text: truth.cloud ?? "" },
     { path: `pointCloud_primitives/${name}_primitives.txt`, text: truth.primitives },
     { path: `pointCloud_parametric/${name}_parametric.txt`, text: truth.parametric },
     { path: `pointCloud_implicit/${name}_implicit.txt`, text: truth.implicit },
-    { path: `pointCloud_primitives_${METHOD}/${name}_primitives.txt`, text: found.primitives },
-    { path: `pointCloud_parametric_${METHOD}/${name}_parametric.txt`, text: found.parametric },
-    { path: `pointCloud_implicit_${METHOD}/${name}_implicit.txt`, text: found.implicit },
+    { path: `pointCloud_primitives_${method}/${name}_primitives.txt`, text: found.primitives },
+    { path: `pointCloud_parametric_${method}/${name}_parametric.txt`, text: found.parametric },
+    { path: `pointCloud_implicit_${method}/${name}_implicit.txt`, text: found.implicit },
   ];
 }
 
@@ -64,11 +70,11 @@ function roleOf(path: string): { role: Role; method?: string } {
   return { role: role as Role, ...(method ? { method } : {}) };
 }
 
-/** What a fit of a sample with the defaults of a method scores. */
+/** What the files of a fit of a sample score, with the defaults of a method. */
 export function scoreOfFit(part: string, method: "HT" | "PG", protocol: Protocol = "definition"): Report {
   const model = Model.generate(part, {});
   const name = model.fit(method === "HT" ? "ht" : "pg", {}, 1, () => {});
-  const report = model.score(name, protocol);
+  const files = filesWith(model, part, name);
   model.free();
-  return report;
+  return scoreOf(files, protocol, name);
 }
