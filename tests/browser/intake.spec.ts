@@ -166,6 +166,25 @@ test("pasted text is a file like any other", async ({ page }) => {
   await expect(row(page, "PC8")).toContainText("1.0000");
 });
 
+test("a sheet that is opened again the moment it closes stays open", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Add data" }).click();
+  const name = page.getByLabel("File name");
+  await expect(name).toBeVisible();
+  await page.getByRole("button", { name: "Add data", includeHidden: true }).evaluate((button: HTMLElement) => {
+    const again = new MutationObserver(() => {
+      again.disconnect();
+      button.click();
+      document.body.dataset["again"] = "yes";
+    });
+    const sheet = document.querySelector("dialog[open]");
+    if (sheet) again.observe(sheet, { attributeFilter: ["open"] });
+  });
+  await page.getByRole("button", { name: "Close", exact: true }).click();
+  await expect(page.locator("body")).toHaveAttribute("data-again", "yes");
+  await expect(name).toBeVisible();
+});
+
 test("scoring many models can be stopped, what is done stays, and the rest is taken up again", async ({ page }) => {
   // One worker, so that a quick machine is not done before anybody can say stop.
   await page.addInitScript(() => Object.defineProperty(navigator, "hardwareConcurrency", { value: 1 }));

@@ -14,13 +14,18 @@ interface Props {
 
 export function Dialog({ open, title, className = "", children }: Props): JSX.Element {
   const dialog = useRef<HTMLDialogElement>(null);
+  // Told of a moment later, when it may have been opened anew.
+  const closedHere = useRef(false);
   const id = useId();
   const shown = open.value;
 
   useEffect(() => {
     const element = dialog.current;
     if (shown && element && !element.open) element.showModal();
-    if (!shown && element?.open) element.close();
+    if (!shown && element?.open) {
+      closedHere.current = true;
+      element.close();
+    }
   }, [shown]);
 
   return (
@@ -28,7 +33,10 @@ export function Dialog({ open, title, className = "", children }: Props): JSX.El
       ref={dialog}
       class={`sheet ${className}`}
       aria-labelledby={id}
-      onClose={() => (open.value = false)}
+      onClose={() => {
+        if (!closedHere.current) open.value = false;
+        closedHere.current = false;
+      }}
       onClick={(event) => {
         // A click on the backdrop reaches the dialog itself.
         if (event.target === dialog.current) open.value = false;
