@@ -71,8 +71,8 @@ impl KdTree {
 
     /// The up to `count` points nearest to `query` among those `keep` admits, not farther than
     /// `radius`, nearest first, equals by index. Distances that differ by rounding alone are equal:
-    /// in the lattices of a mesher many are, and turning the cloud is not to change their order. `found` is overwritten. O(log n + count) where
-    /// `keep` admits most points.
+    /// in the lattices of a mesher many are, and turning the cloud is not to change their order.
+    /// `found` is overwritten. O(log n + count) where `keep` admits most points.
     pub fn nearest(
         &self,
         query: &Point,

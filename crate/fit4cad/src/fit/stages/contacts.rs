@@ -9,6 +9,7 @@
 use super::super::search::Search;
 use super::label::Labels;
 use super::patches::Patch;
+use super::polygon::Polygon;
 use crate::cloud::Point;
 use crate::cloud::neighbours::{KdTree, Neighbour};
 use crate::fit::scale::quantile;
@@ -97,9 +98,10 @@ fn faces(
     rim: &[u32],
 ) -> Option<[Vec<u32>; 2]> {
     let corners: Vec<Place> = rim.iter().map(|&i| plan.place(search.point(i))).collect();
+    let outline = Polygon::new(&corners);
     // Positions in `points` of those on no other surface.
     let own = (0..points.len()).filter(|&at| labels.of(points[at]).len() == 1);
-    let is_inside = |&at: &usize| is_within(&corners, plan.place(search.point(points[at])));
+    let is_inside = |&at: &usize| outline.holds(plan.place(search.point(points[at])));
     let (inside, outside): (Vec<usize>, Vec<usize>) = own.partition(is_inside);
     if inside.len() < FEWEST || outside.len() < FEWEST {
         return None;
@@ -291,17 +293,6 @@ impl Sides {
     }
 }
 
-/// Whether a place is within a closed polygon, whose first corner comes last again: whether a ray from
-/// it crosses the polygon an odd number of times.
-fn is_within(corners: &[Place], place: Place) -> bool {
-    let crosses = |pair: &&[Place]| {
-        let (a, b) = (pair[0], pair[1]);
-        let is_beside = (a[1] <= place[1]) != (b[1] <= place[1]);
-        is_beside && place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1])
-    };
-    corners.windows(2).filter(crosses).count() % 2 == 1
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -377,19 +368,5 @@ mod tests {
         assert_eq!(sides.are_parted(0, 2), Some(false));
         assert!(!sides.part(0, 2));
         assert_eq!(sides.are_parted(0, 3), None);
-    }
-
-    #[test]
-    fn a_place_is_within_a_polygon_or_not() {
-        let corners = [
-            [0.0, 0.0],
-            [4.0, 0.0],
-            [4.0, 4.0],
-            [2.0, 1.0],
-            [0.0, 4.0],
-            [0.0, 0.0],
-        ];
-        assert!(is_within(&corners, [1.0, 1.0]) && is_within(&corners, [3.5, 3.0]));
-        assert!(!is_within(&corners, [2.0, 2.0]) && !is_within(&corners, [5.0, 1.0]));
     }
 }

@@ -5,6 +5,7 @@ mod contacts;
 mod halves;
 mod label;
 mod patches;
+mod polygon;
 mod prune;
 
 pub use contacts::split_contacts;
