@@ -126,6 +126,12 @@ fn exact_points_of_part_of_a_torus_give_its_parameters() {
     assert!((torus.centre - place(0.0, 0.0, 0.0)).norm() < 1e-9);
 }
 
+#[test]
+fn a_torus_that_cuts_its_own_axis_is_left_unsegmented() {
+    let apple = turned(steps(0.0, 2.4).map(|t| [0.5 + t.cos(), t.sin()]), 3.0);
+    assert_eq!(found(apple).primitives, []);
+}
+
 /// For every point the set of types of the primitives it belongs to.
 fn labels(segmentation: &Segmentation, count: usize) -> Vec<Vec<SurfaceType>> {
     let mut labels = vec![Vec::new(); count];

@@ -62,8 +62,6 @@ pub fn proof(search: &Search<'_>, candidate: &Candidate) -> Proof {
             2 => Proof::Chance,
             _ => Proof::Certain,
         },
-        // Smooth free-form regions pass for one that meets itself.
-        Surface::Torus(torus) if torus.major_radius < torus.minor_radius => Proof::Weak,
         Surface::Torus(_) => match rings() {
             ..=2 => Proof::None,
             3 | 4 => Proof::Weak,
