@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { zipSync } from "fflate";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { filesOf, METHOD, scoreOf } from "./support/engine";
-import { drop, writeAll } from "./support/drop";
+import { dragging, drop, writeAll } from "./support/drop";
 
 const SECOND = "_primitives_";
 
@@ -91,6 +91,22 @@ test("a drop that comes before the page is drawn is taken", async ({ page }) => 
     window.dispatchEvent(event);
   }, filesOf("bracket", "PC4"));
   await expect(row(page, "PC4")).toBeVisible();
+});
+
+test("a drop on what has just come under the files is taken", async ({ page }) => {
+  const folder = test.info().outputPath("mine");
+  await writeAll(folder, filesOf("bracket", "PC8"));
+  await open(page);
+  const drag = await dragging(page, [folder]);
+  await drag("dragEnter");
+  await drag("dragOver");
+  await expect(page.locator(".dropzone")).toBeVisible();
+  await page.evaluate(() => {
+    const arrived = Object.assign(document.createElement("div"), { style: "position: fixed; inset: 0; z-index: 20" });
+    document.body.append(arrived);
+  });
+  await drag("drop");
+  await expect(row(page, "PC8")).toBeVisible();
 });
 
 test("a chosen folder and a chosen zip arrive whole", async ({ page }) => {

@@ -21,18 +21,21 @@ export function zipOf(files: readonly Fixture[]): Buffer {
   return Buffer.from(zipSync(Object.fromEntries(entries)));
 }
 
-/** Drags paths of the disk over the page and, once the page says so, lets go. */
-export async function drop(page: Page, paths: readonly string[]): Promise<void> {
+/** What a person does who holds paths of the disk over the page, one act at a time. */
+export async function dragging(page: Page, paths: readonly string[]): Promise<(type: "dragEnter" | "dragOver" | "drop") => Promise<unknown>> {
   const session = await page.context().newCDPSession(page);
   const data = { items: [], files: [...paths], dragOperationsMask: 1 };
-  const dispatch = (type: "dragEnter" | "dragOver" | "drop") =>
-    session.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data });
+  return (type) => session.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data });
+}
+
+/** Drags paths of the disk over the page and, once the page says so, lets go. */
+export async function drop(page: Page, paths: readonly string[]): Promise<void> {
+  const drag = await dragging(page, paths);
   // The browser hands nothing to a page that it has not painted yet.
   await expect(async () => {
-    await dispatch("dragEnter");
-    await dispatch("dragOver");
+    await drag("dragEnter");
+    await drag("dragOver");
     await expect(page.locator(".dropzone")).toBeVisible({ timeout: 500 });
   }).toPass();
-  await dispatch("drop");
-  await session.detach();
+  await drag("drop");
 }

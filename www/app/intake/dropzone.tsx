@@ -13,11 +13,8 @@ const over = signal(false);
  * that finds nobody to take a drop leaves the page and shows the file instead.
  */
 export function listenForDrops(): void {
-  window.addEventListener("dragover", (event) => {
-    if (!carriesFiles(event)) return;
-    event.preventDefault();
-    over.value = true;
-  });
+  window.addEventListener("dragenter", welcome);
+  window.addEventListener("dragover", welcome);
   window.addEventListener("dragleave", (event) => {
     // Leaving the window has no element it goes to.
     if (event.relatedTarget === null) over.value = false;
@@ -28,6 +25,16 @@ export function listenForDrops(): void {
     event.preventDefault();
     void takeDrop(event.dataTransfer);
   });
+}
+
+/**
+ * Says that files may be let go. Of every element that is entered as well as of every move: what is under the files
+ * may have just come there, and a drop before the next move would go to an element that had not agreed to take it.
+ */
+function welcome(event: DragEvent): void {
+  if (!carriesFiles(event)) return;
+  event.preventDefault();
+  over.value = true;
 }
 
 function carriesFiles(event: DragEvent): boolean {

@@ -34,7 +34,7 @@ export function LessonFrame({ title, steps, children }: Props): JSX.Element {
 
   useLayoutEffect(() => readStep(last), [last]);
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     const listener = (event: KeyboardEvent) => {
       if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
       if (document.querySelector("dialog[open]")) return;

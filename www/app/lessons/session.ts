@@ -2,7 +2,7 @@
 
 import * as Comlink from "comlink";
 import { effect } from "@preact/signals";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useState } from "preact/hooks";
 import type { LessonsWorker } from "../../worker/lessons";
 import { notify } from "../state/notices";
 
@@ -14,7 +14,8 @@ export interface Session {
   readonly run: (work: () => Promise<void>) => void;
 }
 
-export function useSession(): Session | undefined {
+/** The session once `open` is done with it: before there is something to work on, no tool is shown that would do nothing. */
+export function useSession(open: (session: Session) => Promise<void> = () => Promise.resolve()): Session | undefined {
   const [session, setSession] = useState<Session>();
   useEffect(() => {
     const worker = new Worker(new URL("../../worker/lessons.ts", import.meta.url), { type: "module", name: "lesson" });
@@ -25,7 +26,11 @@ export function useSession(): Session | undefined {
         if (!ended) notify(error instanceof Error ? error.message : String(error), "error");
       });
     };
-    setSession({ engine, run });
+    const begun = { engine, run };
+    run(async () => {
+      await open(begun);
+      if (!ended) setSession(begun);
+    });
     return () => {
       ended = true;
       worker.terminate();
@@ -39,5 +44,5 @@ export function useSession(): Session | undefined {
  * the reader can do anything in it, or it would undo what they did.
  */
 export function useFollower(follow: () => void): void {
-  useEffect(() => effect(follow), []);
+  useLayoutEffect(() => effect(follow), []);
 }

@@ -20,10 +20,7 @@ const CHOSEN = "#e000b8";
 const GHOST = segmentColour(0);
 
 export default function GrowingLessonPage(): JSX.Element {
-  const session = useSession();
-  useEffect(() => {
-    if (session) session.run(() => state.open(session));
-  }, [session]);
+  const session = useSession(state.open);
   return (
     <LessonFrame title="Primitive growing" steps={STEPS}>
       {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}

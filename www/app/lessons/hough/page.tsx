@@ -23,12 +23,7 @@ const NOTHING = new Uint32Array();
 const NO_HEIGHTS = new Float32Array();
 
 export default function HoughLessonPage(): JSX.Element {
-  const session = useSession();
-  useEffect(() => {
-    if (!session) return;
-    state.forget();
-    session.run(() => state.open(session, state.family.value));
-  }, [session]);
+  const session = useSession(state.openAnew);
   return (
     <LessonFrame title="The Hough transform" steps={STEPS}>
       {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}

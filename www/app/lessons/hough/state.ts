@@ -85,8 +85,10 @@ export async function open({ engine }: Session, next: SurfaceType): Promise<void
   }
 }
 
-export function forget(): void {
+/** The same with an engine that has just been started and knows no part yet. */
+export function openAnew(session: Session): Promise<void> {
   name = "";
+  return open(session, family.value);
 }
 
 export async function choosePoint({ engine }: Session, index: number): Promise<void> {

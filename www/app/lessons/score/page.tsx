@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useRef } from "preact/hooks";
 import { bytes, OUTCOME_COLOURS, segmentColour, UNSEGMENTED } from "../../view/palette";
 import { LiveView } from "../../view/live-view";
 import type { PointView } from "../../view/point-view";
@@ -23,10 +23,7 @@ const predictionColour = (place: number) => segmentColour(3 + place);
 type Tool = "turn" | "paint" | "erase";
 
 export default function ScoreLesson(): JSX.Element {
-  const session = useSession();
-  useEffect(() => {
-    if (session) session.run(() => load(session, 0));
-  }, [session]);
+  const session = useSession((begun) => load(begun, 0));
   return (
     <LessonFrame title="What a score means" steps={STEPS}>
       {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}
