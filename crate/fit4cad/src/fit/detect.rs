@@ -1,8 +1,8 @@
 //! Detection from local hypotheses: the best surface through the neighbourhood of a seed.
 
 use super::contest::is_evident;
-use super::least_squares::{self, Loss};
-use super::local::{polish, starts};
+use super::least_squares;
+use super::local::{CURVED, cones_near_cylinders, polish, starts, through_sheet};
 use super::progress::Observer;
 use super::search::Search;
 use super::trace::Event;
@@ -12,6 +12,8 @@ use crate::surface::{Surface, SurfaceType};
 /// Sizes of the neighbourhoods that hypotheses are made from: the small ones fit into fillets and
 /// thin faces, the large one says more about slightly curved surfaces.
 const SIZES: [usize; 3] = [10, 16, 28];
+/// Points beyond the degrees of freedom that must be on one sheet of a thin wall.
+const SHEET_SPARE: usize = 3;
 /// A plane that grew to so many unexplained points needs no rival.
 pub(super) const CLEAR: usize = 60;
 
@@ -61,8 +63,22 @@ pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
     if !candidates.iter().any(|c| search.own(c) >= CLEAR) {
         let patch = search.unexplained_near(seed, SIZES[2]);
         hypotheses(search, SurfaceType::Torus, &patch, &mut candidates);
+        if candidates.is_empty() && search.scale.is_clean() {
+            sheets(search, &patch, &mut candidates);
+        }
     }
     search.best(candidates)
+}
+
+/// Grows the sheet of a thin wall that the first point of a patch is on.
+fn sheets(search: &mut Search<'_>, patch: &[u32], candidates: &mut Vec<Candidate>) {
+    let points = search.points(patch);
+    for kind in CURVED {
+        let found = through_sheet(kind, &points, search.scale.tolerance, SHEET_SPARE);
+        if let Some((surface, inliers)) = found {
+            grow_surface(search, &surface, patch, &inliers, candidates);
+        }
+    }
 }
 
 /// Grows the hypotheses of one family through a patch and adds those worth keeping.
@@ -75,14 +91,7 @@ fn hypotheses(
     let points = search.points(patch);
     let mut surfaces = starts(kind, &points);
     if kind == SurfaceType::Cone {
-        // A cylinder that almost fits may be a cone.
-        for start in starts(SurfaceType::Cylinder, &points) {
-            if let Surface::Cylinder(cylinder) = start
-                && let Some(cone) = least_squares::fit_cone_near(&cylinder, &points, Loss::Squares)
-            {
-                surfaces.push(cone.surface);
-            }
-        }
+        surfaces.extend(cones_near_cylinders(&points));
     }
     for start in surfaces {
         grow_start(search, &start, patch, candidates);
@@ -104,12 +113,23 @@ pub(super) fn grow_start(
     } else {
         points.len() / 2
     };
-    let Some((surface, inliers)) = polish(start, &points, search.scale.tolerance, needed) else {
-        return;
-    };
-    if !search.is_plausible(&surface) {
+    if let Some((surface, inliers)) = polish(start, &points, search.scale.tolerance, needed) {
+        grow_surface(search, &surface, patch, &inliers, candidates);
+    }
+}
+
+/// Grows a surface from those points of a patch that are on it, and adds it if it is worth keeping.
+fn grow_surface(
+    search: &mut Search<'_>,
+    surface: &Surface,
+    patch: &[u32],
+    inliers: &[usize],
+    candidates: &mut Vec<Candidate>,
+) {
+    if !search.is_plausible(surface) {
         return;
     }
+    let kind = surface.kind();
     let seeds: Vec<u32> = inliers.iter().map(|&i| patch[i]).collect();
     let known = candidates.iter().any(|c| {
         c.surface.kind() == kind && seeds.iter().all(|i| c.support.binary_search(i).is_ok())
@@ -117,7 +137,7 @@ pub(super) fn grow_start(
     if known || search.is_known(kind, &seeds) {
         return;
     }
-    if let Some(candidate) = search.grow(&surface, &seeds)
+    if let Some(candidate) = search.grow(surface, &seeds)
         && is_worth_keeping(search, &candidate)
     {
         candidates.push(candidate);

@@ -93,6 +93,13 @@ impl Curvature {
     }
 }
 
+/// The curved families that closed forms start well.
+pub const CURVED: [SurfaceType; 3] = [
+    SurfaceType::Sphere,
+    SurfaceType::Cylinder,
+    SurfaceType::Cone,
+];
+
 /// Starts for the surfaces of the given family through a patch; most are wrong, which costs
 /// nothing but the time to see it.
 pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
@@ -132,6 +139,17 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
         }
     }
     surfaces
+}
+
+/// The cones nearest to a patch that are found from its cylinders: a slim one is nearly a cylinder.
+pub fn cones_near_cylinders(patch: &[Point]) -> Vec<Surface> {
+    let cone = |start: &Surface| match start {
+        Surface::Cylinder(near) => least_squares::fit_cone_near(near, patch, Loss::Squares),
+        _ => None,
+    };
+    let cylinders = starts(SurfaceType::Cylinder, patch);
+    let cones = cylinders.iter().filter_map(cone);
+    cones.map(|fitted| fitted.surface).collect()
 }
 
 /// The plane through the first point of a patch and two of the next few that most of the patch lies
@@ -281,6 +299,37 @@ pub fn polish(
 }
 
 const ROBUST_ROUNDS: usize = 6;
+
+/// The surface of the given family through one sheet of a thin wall both of whose sheets a patch holds,
+/// and which of its points are on it: the sheet of the first point. The surface through all points runs
+/// between the sheets, so its sides tell them apart. `None` where fewer than `spare` points beyond the
+/// degrees of freedom agree to `tolerance`, or not most of the sheet.
+pub fn through_sheet(
+    kind: SurfaceType,
+    patch: &[Point],
+    tolerance: f64,
+    spare: usize,
+) -> Option<(Surface, Vec<usize>)> {
+    let seed = patch.first()?;
+    let through = |start: &Surface| {
+        let between = least_squares::approximate(start, patch, Loss::Squares)?.surface;
+        let is_above = |point: &Point| between.signed_distance(point) > 0.0;
+        let above = is_above(seed);
+        let places: Vec<usize> = (0..patch.len())
+            .filter(|&place| is_above(&patch[place]) == above)
+            .collect();
+        let sheet: Vec<Point> = places.iter().map(|&place| patch[place]).collect();
+        let needed = (degrees_of_freedom(kind) + spare).max(2 * sheet.len() / 3);
+        let (surface, agreeing) = polish(&between, &sheet, tolerance, needed)?;
+        Some((surface, agreeing.iter().map(|&i| places[i]).collect()))
+    };
+    let mut starts = starts(kind, patch);
+    if kind == SurfaceType::Cone {
+        starts.extend(cones_near_cylinders(patch));
+    }
+    let found = starts.iter().filter_map(through);
+    found.max_by_key(|(_, agreeing): &(_, Vec<usize>)| agreeing.len())
+}
 
 #[cfg(test)]
 mod tests;

@@ -67,6 +67,16 @@ pub fn mixed_votes(
             .max_by_key(|(count, _)| *count);
         best.extend(most);
     }
+    if best.is_empty() && search.scale.is_clean() {
+        let found = kinds.iter().filter_map(|&kind| {
+            let (surface, agreeing) =
+                local::through_sheet(kind, &points, search.scale.tolerance, SPARE)?;
+            search
+                .is_plausible(&surface)
+                .then_some((agreeing.len(), surface))
+        });
+        best.extend(found);
+    }
     let most = best.iter().map(|(count, _)| *count).max().unwrap_or(0);
     let voted = best.into_iter().filter(|(count, _)| count + slack >= most);
     found.extend(voted.map(|(_, surface)| Vote {

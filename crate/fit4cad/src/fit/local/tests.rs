@@ -162,6 +162,22 @@ fn the_plane_through_the_seed_is_not_misled_by_the_other_sheet() {
     assert!((plane.normal.z - 1.0).abs() < 1e-12 && plane.offset.abs() < 1e-12);
 }
 
+/// Every other point of a patch moved along the normal by a twentieth of its width.
+#[test]
+fn a_sheet_of_a_curved_wall_is_told_from_the_other() {
+    for (truth, patch) in [cylinder(1.5), cone(), sphere()] {
+        let moved = |(i, p): (usize, &Point)| p + truth.normal(p).into_inner() * [0.0, 0.05][i % 2];
+        let wall: Vec<Point> = patch.iter().enumerate().map(moved).collect();
+        let alone = starts(truth.kind(), &wall)
+            .iter()
+            .find_map(|start| polish(start, &wall, TOLERANCE, COUNT / 2));
+        assert_eq!(alone, None);
+        let (found, on) = through_sheet(truth.kind(), &wall, TOLERANCE, 3).unwrap();
+        assert_same(&found, &truth, &patch);
+        assert!(on.iter().all(|i| i % 2 == 0) && on.len() > COUNT / 3);
+    }
+}
+
 /// h = x² + y²/4 has the principal curvatures 2 and ½ at the origin.
 #[test]
 fn the_curvatures_of_a_paraboloid_are_those_at_its_apex() {

@@ -15,7 +15,7 @@ use crate::cloud::neighbours::Neighbourhoods;
 use crate::cloud::normals::Spread;
 use crate::cloud::{Ball, Point};
 use crate::fit::least_squares::{self, Fitted, Loss, degrees_of_freedom};
-use crate::fit::local::{self, Curvature};
+use crate::fit::local::{self, CURVED, Curvature};
 use crate::surface::{Surface, SurfaceType};
 
 /// Neighbourhoods looked at first; of a clean cloud no more are needed.
@@ -35,6 +35,8 @@ const EXACT: f64 = 0.33;
 const FEW_EXACT: f64 = 0.15;
 /// Points beyond the degrees of freedom that must agree with a robust fit, which chooses them.
 const SPARE: usize = 5;
+/// Points of a neighbourhood that holds enough of both sheets of a shell.
+const WIDE: usize = 32;
 /// Half the thickness of a sheet, in radii of the patch.
 const SHEET: f64 = 0.056;
 /// Residual, in those halves, of points that are not on the sheet by being chosen for it.
@@ -85,7 +87,8 @@ pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64)
         }
     }
     let (share, least) = FEWEST_EXACT;
-    if exact >= least && exact as f64 >= share * whole.len() as f64 {
+    let is_exact = exact >= least && exact as f64 >= share * whole.len() as f64;
+    if is_exact || is_thin_shell(points, graph, FEW_EXACT * floor) {
         return floor;
     }
     let piles = [lowest_pile(&whole), lowest_pile(&few)];
@@ -195,18 +198,42 @@ fn is_exact_in_part(patch: &[Point], fine: f64) -> bool {
     if local::plane_through_seed(patch, fine).is_some_and(|(_, on)| on >= 3 + SPARE) {
         return true;
     }
-    [
-        SurfaceType::Sphere,
-        SurfaceType::Cylinder,
-        SurfaceType::Cone,
-    ]
-    .into_iter()
-    .any(|kind| {
+    CURVED.into_iter().any(|kind| {
         let needed = (degrees_of_freedom(kind) + SPARE).max(patch.len().div_ceil(2));
         local::starts(kind, patch)
             .iter()
             .any(|start| local::polish(start, patch, fine, needed).is_some())
     })
+}
+
+/// Whether the points are exactly on the curved sheets of a shell as thin as their spacing, where no
+/// neighbourhood has more points of the sheet it is on than of the other.
+fn is_thin_shell(points: &[Point], graph: &Neighbourhoods, fine: f64) -> bool {
+    let is_on_sheet = |index: &u32| {
+        let patch = wide_patch(points, graph, *index);
+        let mut kinds = CURVED.into_iter();
+        kinds.any(|kind| local::through_sheet(kind, &patch, fine, SPARE).is_some())
+    };
+    let (_, least) = FEWEST_EXACT;
+    let exact = spread_out(points.len()).into_iter().filter(is_on_sheet);
+    exact.take(least).count() == least
+}
+
+/// A point, its neighbours and theirs: the nearest of them.
+fn wide_patch(points: &[Point], graph: &Neighbourhoods, index: u32) -> Vec<Point> {
+    let neighbours = graph.of(index).iter();
+    let mut near: Vec<u32> = neighbours.flat_map(|&i| graph.of(i)).copied().collect();
+    near.push(index);
+    near.sort_unstable();
+    near.dedup();
+    let middle = points[index as usize];
+    let mut patch: Vec<Point> = near.iter().map(|&i| points[i as usize]).collect();
+    patch.sort_by(|a, b| {
+        let [a, b] = [a, b].map(|p| (p - middle).norm_squared());
+        a.total_cmp(&b)
+    });
+    patch.truncate(WIDE);
+    patch
 }
 
 /// Median of the lowest pile of the residuals, which are sorted.

@@ -107,6 +107,22 @@ fn a_thin_wall_is_not_taken_for_a_noisy_plate() {
     }
 }
 
+/// Half of the points of a ball moved inwards by a third of the spacing: the sheets of a shell.
+fn shell() -> Vec<Point> {
+    let sheets = (0..).zip(ball());
+    sheets
+        .map(|(i, p)| if i % 2 == 0 { p } else { p * 0.97 })
+        .collect()
+}
+
+#[test]
+fn a_shell_as_thin_as_its_spacing_is_not_taken_for_a_noisy_ball() {
+    let scale = measured(shell(), 0.0);
+    assert!(!scale.has_noise(), "{scale:?}");
+    let scale = measured(shaken(&shell(), 0.01, 3), 0.0);
+    assert!(scale.has_noise(), "{scale:?}");
+}
+
 /// Rounding to a step displaces points evenly by up to half of it; its variance is a twelfth.
 #[test]
 fn coordinates_of_few_digits_have_the_noise_of_rounding() {
