@@ -56,6 +56,22 @@ test("the lessons are listed, linked and left again", async ({ page }) => {
   await expect(page).not.toHaveURL(/step=/);
 });
 
+for (const id of ["score", "forms"]) {
+  test(`lesson ${id} tells that its engine cannot be loaded, and starts once it can`, async ({ page, complaints }) => {
+    const script = /assets\/lessons-[^/]*\.js/;
+    await page.route(script, (route) => route.abort());
+    await page.goto(`./?page=lesson-${id}`);
+    await expect(page.getByRole("alert")).toContainText("The lesson could not be started");
+    await accessible(page);
+    await page.unroute(script);
+    await page.getByRole("button", { name: "Try again" }).click();
+    await expect(page.locator(".lesson-live canvas").first()).toBeVisible({ timeout: SLOW });
+    await expect(page.getByRole("alert")).toHaveCount(0);
+    // The browser itself logs the request that failed; here that is what was wanted.
+    complaints.splice(0, complaints.length, ...complaints.filter((text) => !/ERR_FAILED/.test(text)));
+  });
+}
+
 test("arrow keys go from step to step, but not out of a slider", async ({ page }) => {
   await openLesson(page, "forms");
   await page.locator("body").press("ArrowRight");

@@ -19,6 +19,8 @@ export function listenForDrops(): void {
     // Leaving the window has no element it goes to.
     if (event.relatedTarget === null) over.value = false;
   });
+  // Not sent during a drag: one whose element went away from under it may end without a word.
+  window.addEventListener("pointermove", () => (over.value = false));
   window.addEventListener("drop", (event) => {
     over.value = false;
     if (!event.dataTransfer || !carriesFiles(event)) return;

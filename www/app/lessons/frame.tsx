@@ -34,6 +34,7 @@ export function LessonFrame({ title, steps, children }: Props): JSX.Element {
 
   useLayoutEffect(() => readStep(last), [last]);
 
+  // Before the page is painted: a key pressed between that and a later effect would be lost.
   useLayoutEffect(() => {
     const listener = (event: KeyboardEvent) => {
       if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;

@@ -2,7 +2,7 @@
 
 import * as Comlink from "comlink";
 import { effect } from "@preact/signals";
-import { useEffect, useLayoutEffect, useState } from "preact/hooks";
+import { useLayoutEffect, useState } from "preact/hooks";
 import type { LessonsWorker } from "../../worker/lessons";
 import { notify } from "../state/notices";
 
@@ -14,29 +14,53 @@ export interface Session {
   readonly run: (work: () => Promise<void>) => void;
 }
 
+/** How far the start of a lesson has come: neither session nor failure while it goes on. */
+export interface Start {
+  readonly session?: Session;
+  /** Why there is no session. */
+  readonly failure?: string;
+  /** Starts anew, with a new engine. */
+  readonly again: () => void;
+}
+
 /** The session once `open` is done with it: before there is something to work on, no tool is shown that would do nothing. */
-export function useSession(open: (session: Session) => Promise<void> = () => Promise.resolve()): Session | undefined {
-  const [session, setSession] = useState<Session>();
-  useEffect(() => {
+export function useSession(open: (session: Session) => Promise<void>): Start {
+  const [outcome, setOutcome] = useState<Omit<Start, "again">>({});
+  const [attempt, setAttempt] = useState(0);
+  // Before the page is painted: `open` takes away what was found at an earlier visit.
+  useLayoutEffect(() => {
     const worker = new Worker(new URL("../../worker/lessons.ts", import.meta.url), { type: "module", name: "lesson" });
-    let ended = false;
     const engine = Comlink.wrap<LessonsWorker>(worker);
-    const run = (work: () => Promise<void>) => {
-      work().catch((error: unknown) => {
-        if (!ended) notify(error instanceof Error ? error.message : String(error), "error");
-      });
+    let stage: "starting" | "running" | "ended" = "starting";
+    const end = () => {
+      stage = "ended";
+      worker.terminate();
     };
+    const tell = (reason: string) => {
+      if (stage === "running") notify(reason, "error");
+      if (stage !== "starting") return;
+      end();
+      setOutcome({ failure: reason });
+    };
+    const run = (work: () => Promise<void>) => {
+      work().catch((error: unknown) => tell(error instanceof Error ? error.message : String(error)));
+    };
+    // A script that cannot be loaded leaves every call without an answer.
+    worker.addEventListener("error", (event) => tell(event.message || "The engine could not be loaded."));
     const begun = { engine, run };
     run(async () => {
       await open(begun);
-      if (!ended) setSession(begun);
+      if (stage !== "starting") return;
+      stage = "running";
+      setOutcome({ session: begun });
     });
-    return () => {
-      ended = true;
-      worker.terminate();
-    };
-  }, []);
-  return session;
+    return end;
+  }, [attempt]);
+  const again = () => {
+    setOutcome({});
+    setAttempt(attempt + 1);
+  };
+  return { ...outcome, again };
 }
 
 /**

@@ -11,6 +11,7 @@ import type { SurfacePatch } from "../../view/types";
 import { Swatch } from "../../ui/swatch";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
+import { Opening } from "../opening";
 import { useSession, type Session } from "../session";
 import { step } from "../steps";
 import { choose, factor, FAMILIES, follower, noise, predicted, sliders, truth, truthSliders, vectors } from "./state";
@@ -20,10 +21,11 @@ const PREDICTED = segmentColour(0);
 const TRUE = segmentColour(1);
 
 export default function FormsLesson(): JSX.Element {
-  const session = useSession();
+  // Until the engine has answered once, sliders would move nothing.
+  const start = useSession((begun) => follower(begun).forms());
   return (
     <LessonFrame title="Implicit and parametric" steps={STEPS}>
-      {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}
+      <Opening start={start}>{(session) => <Workbench session={session} />}</Opening>
     </LessonFrame>
   );
 }

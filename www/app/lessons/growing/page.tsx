@@ -10,6 +10,7 @@ import { LabelState } from "../../view/types";
 import * as format from "../../ui/format";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
+import { Opening } from "../opening";
 import { useFollower, useSession, type Session } from "../session";
 import { step } from "../steps";
 import { place } from "./histogram";
@@ -20,10 +21,10 @@ const CHOSEN = "#e000b8";
 const GHOST = segmentColour(0);
 
 export default function GrowingLessonPage(): JSX.Element {
-  const session = useSession(state.open);
+  const start = useSession(state.open);
   return (
     <LessonFrame title="Primitive growing" steps={STEPS}>
-      {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}
+      <Opening start={start}>{(session) => <Workbench session={session} />}</Opening>
     </LessonFrame>
   );
 }

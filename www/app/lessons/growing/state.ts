@@ -32,8 +32,15 @@ export const pieces = signal<readonly SplitInfo[] | undefined>(undefined);
 export const segmentation = signal<LessonSegmentation | undefined>(undefined);
 export const busy = signal(false);
 
+/** Loads the part; nothing of an earlier visit is left. */
 export async function open({ engine }: Session): Promise<void> {
   busy.value = true;
+  batch(() => {
+    part.value = undefined;
+    variation.value = new Float32Array();
+    segmentation.value = undefined;
+    show(undefined);
+  });
   try {
     const model = await engine.part(PART, SAMPLE);
     const values = await engine.grow();
@@ -41,7 +48,6 @@ export async function open({ engine }: Session): Promise<void> {
     batch(() => {
       part.value = model;
       variation.value = values;
-      segmentation.value = undefined;
       show(first);
     });
   } finally {
@@ -49,7 +55,7 @@ export async function open({ engine }: Session): Promise<void> {
   }
 }
 
-function show(next: PartitionInfo): void {
+function show(next: PartitionInfo | undefined): void {
   batch(() => {
     partition.value = next;
     region.value = undefined;

@@ -10,6 +10,7 @@ import { LabelState } from "../../view/types";
 import * as format from "../../ui/format";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
+import { Opening } from "../opening";
 import { useSession, type Session } from "../session";
 import { step } from "../steps";
 import { Accumulator } from "./accumulator";
@@ -23,10 +24,10 @@ const NOTHING = new Uint32Array();
 const NO_HEIGHTS = new Float32Array();
 
 export default function HoughLessonPage(): JSX.Element {
-  const session = useSession(state.openAnew);
+  const start = useSession(state.openAnew);
   return (
     <LessonFrame title="The Hough transform" steps={STEPS}>
-      {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}
+      <Opening start={start}>{(session) => <Workbench session={session} />}</Opening>
     </LessonFrame>
   );
 }

@@ -74,20 +74,31 @@ export async function open({ engine }: Session, next: SurfaceType): Promise<void
       slice.value = info;
       all.value = every;
       maxima.value = found;
-      point.value = cell.value = cellInfo.value = polished.value = undefined;
-      gamma.value = new Uint32Array();
+      forget();
       heights.value = new Float32Array(every.length);
-      voted.value = 0;
-      segmentation.value = undefined;
     });
   } finally {
     busy.value = false;
   }
 }
 
-/** The same with an engine that has just been started and knows no part yet. */
+/** Clears what the reader has found. */
+function forget(): void {
+  point.value = cell.value = cellInfo.value = polished.value = segmentation.value = undefined;
+  gamma.value = new Uint32Array();
+  heights.value = new Float32Array();
+  voted.value = 0;
+}
+
+/** The same with an engine that has just been started and knows no part yet; nothing of an earlier visit is left. */
 export function openAnew(session: Session): Promise<void> {
   name = "";
+  batch(() => {
+    part.value = slice.value = undefined;
+    all.value = new Float32Array();
+    maxima.value = [];
+    forget();
+  });
   return open(session, family.value);
 }
 

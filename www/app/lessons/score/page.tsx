@@ -9,11 +9,12 @@ import type { PointView } from "../../view/point-view";
 import { Swatch } from "../../ui/swatch";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
+import { Opening } from "../opening";
 import { useFollower, useSession, type Session } from "../session";
 import { step } from "../steps";
 import { NAMES } from "./figures";
 import { grown, PREDICTIONS, put, shifted, shrunk, type Prediction } from "./selection";
-import { active, begin, load, lookedAt, near, painting, part, rest, score, scorer, shift, truth } from "./state";
+import { active, begin, load, lookedAt, near, openAnew, painting, part, rest, score, scorer, shift, truth } from "./state";
 import { STEPS } from "./steps";
 
 const OUTCOMES = [UNSEGMENTED, OUTCOME_COLOURS.truePositive, OUTCOME_COLOURS.falsePositive, OUTCOME_COLOURS.falseNegative];
@@ -23,10 +24,10 @@ const predictionColour = (place: number) => segmentColour(3 + place);
 type Tool = "turn" | "paint" | "erase";
 
 export default function ScoreLesson(): JSX.Element {
-  const session = useSession((begun) => load(begun, 0));
+  const start = useSession(openAnew);
   return (
     <LessonFrame title="What a score means" steps={STEPS}>
-      {session ? <Workbench session={session} /> : <p class="empty">Starting the engine…</p>}
+      <Opening start={start}>{(session) => <Workbench session={session} />}</Opening>
     </LessonFrame>
   );
 }

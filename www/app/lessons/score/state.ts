@@ -45,6 +45,16 @@ export async function load({ engine }: Session, more: number): Promise<void> {
   });
 }
 
+/** Loads the niche alone, with an engine that has just been started; nothing of an earlier visit is left. */
+export function openAnew(session: Session): Promise<void> {
+  batch(() => {
+    part.value = undefined;
+    painting.value = new Uint8Array();
+    score.value = undefined;
+  });
+  return load(session, 0);
+}
+
 /** Scores the painting as it is now, as often as the engine can follow. */
 export function scorer({ engine }: Session): () => Promise<void> {
   const ask = latest(async (asked: { painting: Painting; shift: number }) => {
