@@ -2,7 +2,7 @@
 
 use super::contest::is_evident;
 use super::least_squares;
-use super::local::{CURVED, cones_near_cylinders, polish, starts, through_sheet};
+use super::local::{self, CURVED, polish};
 use super::progress::Observer;
 use super::search::Search;
 use super::trace::Event;
@@ -12,8 +12,6 @@ use crate::surface::{Surface, SurfaceType};
 /// Sizes of the neighbourhoods that hypotheses are made from: the small ones fit into fillets and
 /// thin faces, the large one says more about slightly curved surfaces.
 const SIZES: [usize; 3] = [10, 16, 28];
-/// Points beyond the degrees of freedom that must be on one sheet of a thin wall.
-const SHEET_SPARE: usize = 3;
 /// A plane that grew to so many unexplained points needs no rival.
 pub(super) const CLEAR: usize = 60;
 
@@ -74,8 +72,8 @@ pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
 fn sheets(search: &mut Search<'_>, patch: &[u32], candidates: &mut Vec<Candidate>) {
     let points = search.points(patch);
     for kind in CURVED {
-        let found = through_sheet(kind, &points, search.scale.tolerance, SHEET_SPARE);
-        if let Some((surface, inliers)) = found {
+        let tolerance = search.scale.tolerance;
+        for (surface, inliers) in local::through_sheet(kind, &points, tolerance, local::SPARE) {
             grow_surface(search, &surface, patch, &inliers, candidates);
         }
     }
@@ -89,11 +87,7 @@ fn hypotheses(
     candidates: &mut Vec<Candidate>,
 ) {
     let points = search.points(patch);
-    let mut surfaces = starts(kind, &points);
-    if kind == SurfaceType::Cone {
-        surfaces.extend(cones_near_cylinders(&points));
-    }
-    for start in surfaces {
+    for start in local::hypotheses(kind, &points) {
         grow_start(search, &start, patch, candidates);
     }
 }

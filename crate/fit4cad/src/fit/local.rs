@@ -93,6 +93,10 @@ impl Curvature {
     }
 }
 
+/// Points beyond its degrees of freedom that must agree with a local solution: with fewer, points
+/// on two faces and their edge find something that passes through all of them.
+pub const SPARE: usize = 3;
+
 /// The curved families that closed forms start well.
 pub const CURVED: [SurfaceType; 3] = [
     SurfaceType::Sphere,
@@ -141,15 +145,19 @@ pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
     surfaces
 }
 
-/// The cones nearest to a patch that are found from its cylinders: a slim one is nearly a cylinder.
-pub fn cones_near_cylinders(patch: &[Point]) -> Vec<Surface> {
-    let cone = |start: &Surface| match start {
-        Surface::Cylinder(near) => least_squares::fit_cone_near(near, patch, Loss::Squares),
-        _ => None,
-    };
-    let cylinders = starts(SurfaceType::Cylinder, patch);
-    let cones = cylinders.iter().filter_map(cone);
-    cones.map(|fitted| fitted.surface).collect()
+/// As [`starts`]; for a cone also those nearest to the cylinders through the patch, as a slim cone is
+/// nearly one.
+pub fn hypotheses(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
+    let mut surfaces = starts(kind, patch);
+    if kind == SurfaceType::Cone {
+        let cylinders = starts(SurfaceType::Cylinder, patch);
+        let cones = cylinders.iter().filter_map(|start| match start {
+            Surface::Cylinder(near) => least_squares::fit_cone_near(near, patch, Loss::Squares),
+            _ => None,
+        });
+        surfaces.extend(cones.map(|fitted| fitted.surface));
+    }
+    surfaces
 }
 
 /// The plane through the first point of a patch and two of the next few that most of the patch lies
@@ -300,35 +308,30 @@ pub fn polish(
 
 const ROBUST_ROUNDS: usize = 6;
 
-/// The surface of the given family through one sheet of a thin wall both of whose sheets a patch holds,
-/// and which of its points are on it: the sheet of the first point. The surface through all points runs
-/// between the sheets, so its sides tell them apart. `None` where fewer than `spare` points beyond the
-/// degrees of freedom agree to `tolerance`, or not most of the sheet.
+/// The surfaces of the given family through one sheet of a thin wall both of whose sheets a patch holds,
+/// each with its points of the patch: the sheet of the first point. A surface through all points runs
+/// between the sheets, so its sides tell them apart. Only those that `spare` points beyond the degrees
+/// of freedom, and most of the sheet, agree with to `tolerance`.
 pub fn through_sheet(
     kind: SurfaceType,
     patch: &[Point],
     tolerance: f64,
     spare: usize,
-) -> Option<(Surface, Vec<usize>)> {
-    let seed = patch.first()?;
-    let through = |start: &Surface| {
-        let between = least_squares::approximate(start, patch, Loss::Squares)?.surface;
-        let is_above = |point: &Point| between.signed_distance(point) > 0.0;
-        let above = is_above(seed);
-        let places: Vec<usize> = (0..patch.len())
-            .filter(|&place| is_above(&patch[place]) == above)
-            .collect();
-        let sheet: Vec<Point> = places.iter().map(|&place| patch[place]).collect();
-        let needed = (degrees_of_freedom(kind) + spare).max(2 * sheet.len() / 3);
-        let (surface, agreeing) = polish(&between, &sheet, tolerance, needed)?;
-        Some((surface, agreeing.iter().map(|&i| places[i]).collect()))
-    };
-    let mut starts = starts(kind, patch);
-    if kind == SurfaceType::Cone {
-        starts.extend(cones_near_cylinders(patch));
-    }
-    let found = starts.iter().filter_map(through);
-    found.max_by_key(|(_, agreeing): &(_, Vec<usize>)| agreeing.len())
+) -> impl Iterator<Item = (Surface, Vec<usize>)> {
+    hypotheses(kind, patch)
+        .into_iter()
+        .filter_map(move |start| {
+            let between = least_squares::approximate(&start, patch, Loss::Squares)?.surface;
+            let is_above = |point: &Point| between.signed_distance(point) > 0.0;
+            let above = is_above(patch.first()?);
+            let places: Vec<usize> = (0..patch.len())
+                .filter(|&place| is_above(&patch[place]) == above)
+                .collect();
+            let sheet: Vec<Point> = places.iter().map(|&place| patch[place]).collect();
+            let needed = (degrees_of_freedom(kind) + spare).max(2 * sheet.len() / 3);
+            let (surface, agreeing) = polish(&between, &sheet, tolerance, needed)?;
+            Some((surface, agreeing.iter().map(|&i| places[i]).collect()))
+        })
 }
 
 #[cfg(test)]

@@ -239,14 +239,14 @@ impl<'a> Search<'a> {
     }
 
     /// Whether a surface is one that CAD would call by its name: not a cylinder so large that it is
-    /// a plane, not a torus that cuts its own axis.
+    /// a plane, not, where there is no noise, a torus that cuts its own axis.
     pub fn is_plausible(&self, surface: &Surface) -> bool {
         let largest = 20.0 * self.scale.diameter;
         let smallest = 4.0 * self.scale.tolerance;
         let (slimmest, fattest) = if self.scale.is_clean() {
             (SLIMMEST, FATTEST)
         } else {
-            (10.0 * SLIMMEST, 0.1 * FATTEST)
+            (10.0 * SLIMMEST, NOISY_FATTEST)
         };
         match surface {
             Surface::Plane(_) => true,
@@ -362,8 +362,10 @@ const SLIMMEST: f64 = 5e-4;
 const FLATTEST: f64 = 8e-3;
 /// Smallest major radius of a torus without noise, in minor ones, with room for errors. One that cuts its
 /// own axis is a degenerate torus in CAD (ISO 10303-42): the ground truth calls such faces free-form, and
-/// smooth free-form regions pass for them. With noise, a small piece of a proper torus may look like one.
+/// smooth free-form regions pass for them.
 const FATTEST: f64 = 0.95;
+/// And with noise, where a small piece of a proper torus may look like one that cuts its axis.
+const NOISY_FATTEST: f64 = 0.1;
 /// By how many parts in the root of the number of points a fitting error may be larger by chance.
 const NOISE_SPREAD: f64 = 3.0;
 /// Share of the most worth that counts as nearly as much.

@@ -3,14 +3,10 @@
 use super::vote::Vote;
 use crate::fit::Search;
 use crate::fit::least_squares::degrees_of_freedom;
-use crate::fit::local;
+use crate::fit::local::{self, CURVED, SPARE};
 use crate::fit::pure::{flat, pure};
 use crate::fit::thin::curve::is_curve;
 use crate::surface::{Surface, SurfaceType};
-
-/// Points beyond its degrees of freedom that must agree with a local solution: with fewer, points
-/// on two faces and their edge find something that passes through all of them.
-const SPARE: usize = 3;
 
 /// Neighbours, besides the point itself, that a flat neighbourhood must have.
 const FLAT: usize = 10;
@@ -56,26 +52,26 @@ pub fn mixed_votes(
     if search.scale.is_clean() && is_curve(&points, search.scale.tolerance) {
         return;
     }
+    let tolerance = search.scale.tolerance;
+    let most = |found: &mut dyn Iterator<Item = (Surface, Vec<usize>)>| {
+        found
+            .filter(|(surface, _)| search.is_plausible(surface))
+            .map(|(surface, agreeing)| (agreeing.len(), surface))
+            .max_by_key(|(count, _)| *count)
+    };
     let mut best: Vec<(usize, Surface)> = Vec::new();
     for &kind in kinds {
         let needed = (degrees_of_freedom(kind) + SPARE).max(points.len() / 2);
-        let most = local::starts(kind, &points)
-            .iter()
-            .filter_map(|start| local::polish(start, &points, search.scale.tolerance, needed))
-            .filter(|(surface, _)| search.is_plausible(surface))
-            .map(|(surface, agreeing)| (agreeing.len(), surface))
-            .max_by_key(|(count, _)| *count);
-        best.extend(most);
+        let starts = local::starts(kind, &points);
+        let polished = |start| local::polish(start, &points, tolerance, needed);
+        best.extend(most(&mut starts.iter().filter_map(polished)));
     }
     if best.is_empty() && search.scale.is_clean() {
-        let found = kinds.iter().filter_map(|&kind| {
-            let (surface, agreeing) =
-                local::through_sheet(kind, &points, search.scale.tolerance, SPARE)?;
-            search
-                .is_plausible(&surface)
-                .then_some((agreeing.len(), surface))
-        });
-        best.extend(found);
+        for kind in CURVED.into_iter().filter(|kind| kinds.contains(kind)) {
+            best.extend(most(&mut local::through_sheet(
+                kind, &points, tolerance, SPARE,
+            )));
+        }
     }
     let most = best.iter().map(|(count, _)| *count).max().unwrap_or(0);
     let voted = best.into_iter().filter(|(count, _)| count + slack >= most);

@@ -15,7 +15,7 @@ use crate::cloud::neighbours::Neighbourhoods;
 use crate::cloud::normals::Spread;
 use crate::cloud::{Ball, Point};
 use crate::fit::least_squares::{self, Fitted, Loss, degrees_of_freedom};
-use crate::fit::local::{self, CURVED, Curvature};
+use crate::fit::local::{self, CURVED, Curvature, through_sheet};
 use crate::surface::{Surface, SurfaceType};
 
 /// Neighbourhoods looked at first; of a clean cloud no more are needed.
@@ -52,11 +52,12 @@ const MEDIANS: [f64; 2] = [0.94, 0.85];
 const ROUNDING: f64 = 0.2;
 
 /// Standard deviation σ of the points off their surfaces, at least `floor`, below which differences
-/// do not matter. A few hundred small fits, whatever the size of the cloud.
+/// do not matter. A few thousand small fits, whatever the size of the cloud.
 pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64) -> f64 {
     let rounding = rounding(points, spacing, floor);
     let [mut whole, mut few] = [const { Vec::new() }; 2];
     let mut exact = 0usize;
+    let mut inexact = Vec::new();
     for (place, &index) in spread_out(points.len()).iter().enumerate() {
         let is_exact = exact as f64 >= EXACT_SHARE * FIRST as f64;
         if place == FIRST && is_exact && rounding.is_none() {
@@ -74,8 +75,11 @@ pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64)
             let nearest = self::residual(nearest, FEW_EXACT * floor).unwrap_or(f64::INFINITY);
             let part = nearest.min(on_one_sheet(&patch).unwrap_or(f64::INFINITY));
             few.push(part);
-            let is_exact = part <= FEW_EXACT * floor;
-            exact += usize::from(is_exact || is_exact_in_part(&patch, FEW_EXACT * floor));
+            if part <= FEW_EXACT * floor || is_exact_in_part(&patch, FEW_EXACT * floor) {
+                exact += 1;
+            } else {
+                inexact.push(index);
+            }
         }
     }
     whole.sort_unstable_by(f64::total_cmp);
@@ -87,8 +91,11 @@ pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64)
         }
     }
     let (share, least) = FEWEST_EXACT;
-    let is_exact = exact >= least && exact as f64 >= share * whole.len() as f64;
-    if is_exact || is_thin_shell(points, graph, FEW_EXACT * floor) {
+    let enough = least.max((share * whole.len() as f64).ceil() as usize);
+    if exact < enough {
+        exact += on_thin_shells(points, graph, &inexact, FEW_EXACT * floor, enough - exact);
+    }
+    if exact >= enough {
         return floor;
     }
     let piles = [lowest_pile(&whole), lowest_pile(&few)];
@@ -206,34 +213,47 @@ fn is_exact_in_part(patch: &[Point], fine: f64) -> bool {
     })
 }
 
-/// Whether the points are exactly on the curved sheets of a shell as thin as their spacing, where no
-/// neighbourhood has more points of the sheet it is on than of the other.
-fn is_thin_shell(points: &[Point], graph: &Neighbourhoods, fine: f64) -> bool {
-    let is_on_sheet = |index: &u32| {
-        let patch = wide_patch(points, graph, *index);
+/// How many of some points, up to `wanted`, are exactly on a curved sheet of a shell so thin that their
+/// neighbourhoods hold no more points of the sheet than of the other. Where there are none among the
+/// first, no more are looked at.
+fn on_thin_shells(
+    points: &[Point],
+    graph: &Neighbourhoods,
+    some: &[u32],
+    fine: f64,
+    wanted: usize,
+) -> usize {
+    let mut count = 0;
+    for (place, &index) in some.iter().enumerate() {
+        if count == wanted || (place == FIRST && count == 0) {
+            break;
+        }
+        let patch = wide_patch(points, graph, index);
         let mut kinds = CURVED.into_iter();
-        kinds.any(|kind| local::through_sheet(kind, &patch, fine, SPARE).is_some())
-    };
-    let (_, least) = FEWEST_EXACT;
-    let exact = spread_out(points.len()).into_iter().filter(is_on_sheet);
-    exact.take(least).count() == least
+        let is_on = kinds.any(|kind| through_sheet(kind, &patch, fine, SPARE).next().is_some());
+        count += usize::from(is_on);
+    }
+    count
 }
 
-/// A point, its neighbours and theirs: the nearest of them.
+/// A point, and of its neighbours and theirs the nearest, all that are equally far.
 fn wide_patch(points: &[Point], graph: &Neighbourhoods, index: u32) -> Vec<Point> {
     let neighbours = graph.of(index).iter();
     let mut near: Vec<u32> = neighbours.flat_map(|&i| graph.of(i)).copied().collect();
-    near.push(index);
     near.sort_unstable();
     near.dedup();
     let middle = points[index as usize];
-    let mut patch: Vec<Point> = near.iter().map(|&i| points[i as usize]).collect();
-    patch.sort_by(|a, b| {
-        let [a, b] = [a, b].map(|p| (p - middle).norm_squared());
-        a.total_cmp(&b)
-    });
-    patch.truncate(WIDE);
-    patch
+    let square = |i: u32| (points[i as usize] - middle).norm_squared();
+    let mut squares: Vec<f64> = near.iter().map(|&i| square(i)).collect();
+    if squares.len() > WIDE {
+        let (_, farthest, _) = squares.select_nth_unstable_by(WIDE, f64::total_cmp);
+        // Equal distances differ in the last digit once a cloud is turned.
+        let reach = *farthest * (1.0 + 1e-9);
+        near.retain(|&i| square(i) <= reach);
+    }
+    let others = near.into_iter().filter(|&i| i != index);
+    let patch = std::iter::once(index).chain(others);
+    patch.map(|i| points[i as usize]).collect()
 }
 
 /// Median of the lowest pile of the residuals, which are sorted.

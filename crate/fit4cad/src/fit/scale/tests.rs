@@ -123,6 +123,14 @@ fn a_shell_as_thin_as_its_spacing_is_not_taken_for_a_noisy_ball() {
     assert!(scale.has_noise(), "{scale:?}");
 }
 
+#[test]
+fn a_few_exact_points_do_not_make_a_noisy_cloud_exact() {
+    let marker = ball().into_iter().step_by(67);
+    let marker = marker.map(|p| p * 0.1 + Vector::new(30.0, 0.0, 0.0));
+    let cloud = shaken(&ball(), 0.01, 3).into_iter().chain(marker);
+    assert!(measured(cloud.collect(), 0.0).has_noise());
+}
+
 /// Rounding to a step displaces points evenly by up to half of it; its variance is a twelfth.
 #[test]
 fn coordinates_of_few_digits_have_the_noise_of_rounding() {

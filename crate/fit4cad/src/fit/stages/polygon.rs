@@ -2,8 +2,9 @@
 
 use crate::fit::thin::profile::Place;
 
-/// A closed polygon. Its edges are sorted into as many rows as there are, so that a place is compared
-/// with the few beside it: the rims of large faces have thousands, and their points are many more.
+/// A closed polygon. Its edges are sorted into rows as high as they are on average, so that a place is
+/// compared with the few beside it: the rims of large faces have thousands, and their points are many
+/// more.
 pub struct Polygon {
     edges: Vec<[Place; 2]>,
     /// Heights at which the rows begin and end.
@@ -13,14 +14,17 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    /// The polygon of some corners, the first of which comes last again. O(edges + their rows).
+    /// The polygon of some corners, the first of which comes last again. O(edges).
     pub fn new(corners: &[Place]) -> Self {
         let heights = || corners.iter().map(|corner| corner[1]);
         let low = heights().fold(f64::INFINITY, f64::min);
         let high = heights().fold(f64::NEG_INFINITY, f64::max);
         let edges: Vec<[Place; 2]> = corners.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let rise: f64 = edges.iter().map(|[a, b]| (a[1] - b[1]).abs()).sum();
+        // Edges are in three rows on average. Where all is flat this is not a number, and one row would do.
+        let rows = edges.len() as f64 * ((high - low) / rise).min(1.0);
         let mut polygon = Self {
-            rows: vec![Vec::new(); edges.len()],
+            rows: vec![Vec::new(); (rows.ceil() as usize).max(1)],
             edges,
             range: [low, high],
         };
