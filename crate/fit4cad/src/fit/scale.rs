@@ -2,7 +2,7 @@
 
 mod noise;
 
-use crate::cloud::neighbours::Neighbourhoods;
+use crate::cloud::neighbours::{KdTree, Neighbourhoods};
 use crate::cloud::{Ball, Cloud, Point};
 
 /// Lengths that everything else is relative to, in the units of the cloud. None changes when the
@@ -47,12 +47,12 @@ const ACCIDENT: f64 = -18.0;
 const EXACT_SPARE: usize = 3;
 
 impl Scale {
-    /// Measures a cloud. `tolerance` in diagonals of the bounding box overrides the estimate where it
+    /// Measures a cloud with its tree and neighbours. `tolerance` in diagonals of the bounding box overrides the estimate where it
     /// is positive.
-    pub fn measure(cloud: &Cloud, graph: &Neighbourhoods, tolerance: f64) -> Self {
+    pub fn measure(cloud: &Cloud, tree: &KdTree, graph: &Neighbourhoods, tolerance: f64) -> Self {
         let diameter = Ball::of(cloud.points()).diameter();
         let spacing = spacing(cloud.points(), graph);
-        let noise = noise::noise(cloud.points(), graph, spacing, FLOOR * diameter);
+        let noise = noise::noise(cloud.points(), tree, graph, spacing, FLOOR * diameter);
         let estimated = (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing));
         Self {
             diameter,

@@ -49,7 +49,7 @@ impl<'a> Search<'a> {
     pub fn over(cloud: &'a Cloud, tree: KdTree, parameters: &Parameters, seed: u64) -> Self {
         let count = Parameters::count(parameters.neighbours);
         let graph = Neighbourhoods::new(cloud.points(), &tree, count);
-        let scale = Scale::measure(cloud, &graph, parameters.tolerance);
+        let scale = Scale::measure(cloud, &tree, &graph, parameters.tolerance);
         Self {
             tree,
             graph,

@@ -53,7 +53,7 @@ pub fn mixed_votes(
         return;
     }
     let tolerance = search.scale.tolerance;
-    let most = |found: &mut dyn Iterator<Item = (Surface, Vec<usize>)>| {
+    let strongest = |found: &mut dyn Iterator<Item = (Surface, Vec<usize>)>| {
         found
             .filter(|(surface, _)| search.is_plausible(surface))
             .map(|(surface, agreeing)| (agreeing.len(), surface))
@@ -64,11 +64,11 @@ pub fn mixed_votes(
         let needed = (degrees_of_freedom(kind) + SPARE).max(points.len() / 2);
         let starts = local::starts(kind, &points);
         let polished = |start| local::polish(start, &points, tolerance, needed);
-        best.extend(most(&mut starts.iter().filter_map(polished)));
+        best.extend(strongest(&mut starts.iter().filter_map(polished)));
     }
     if best.is_empty() && search.scale.is_clean() {
         for kind in CURVED.into_iter().filter(|kind| kinds.contains(kind)) {
-            best.extend(most(&mut local::through_sheet(
+            best.extend(strongest(&mut local::through_sheet(
                 kind, &points, tolerance, SPARE,
             )));
         }

@@ -11,7 +11,7 @@
 //! given ratio with most residuals, here the lowest such window that is a maximum.
 
 use super::quantile;
-use crate::cloud::neighbours::Neighbourhoods;
+use crate::cloud::neighbours::{KdTree, Neighbourhoods};
 use crate::cloud::normals::Spread;
 use crate::cloud::{Ball, Point};
 use crate::fit::least_squares::{self, Fitted, Loss, degrees_of_freedom};
@@ -53,7 +53,14 @@ const ROUNDING: f64 = 0.2;
 
 /// Standard deviation σ of the points off their surfaces, at least `floor`, below which differences
 /// do not matter. A few thousand small fits, whatever the size of the cloud.
-pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64) -> f64 {
+pub fn noise(
+    points: &[Point],
+    tree: &KdTree,
+    graph: &Neighbourhoods,
+    spacing: f64,
+    floor: f64,
+) -> f64 {
+    let fine = FEW_EXACT * floor;
     let rounding = rounding(points, spacing, floor);
     let [mut whole, mut few] = [const { Vec::new() }; 2];
     let mut exact = 0usize;
@@ -72,10 +79,10 @@ pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64)
             exact += 1;
         } else {
             let nearest = &patch[..patch.len().min(FEW)];
-            let nearest = self::residual(nearest, FEW_EXACT * floor).unwrap_or(f64::INFINITY);
+            let nearest = self::residual(nearest, fine).unwrap_or(f64::INFINITY);
             let part = nearest.min(on_one_sheet(&patch).unwrap_or(f64::INFINITY));
             few.push(part);
-            if part <= FEW_EXACT * floor || is_exact_in_part(&patch, FEW_EXACT * floor) {
+            if part <= fine || is_exact_in_part(&patch, fine) {
                 exact += 1;
             } else {
                 inexact.push(index);
@@ -93,7 +100,7 @@ pub fn noise(points: &[Point], graph: &Neighbourhoods, spacing: f64, floor: f64)
     let (share, least) = FEWEST_EXACT;
     let enough = least.max((share * whole.len() as f64).ceil() as usize);
     if exact < enough {
-        exact += on_thin_shells(points, graph, &inexact, FEW_EXACT * floor, enough - exact);
+        exact += on_thin_shells(points, tree, &inexact, fine, enough - exact);
     }
     if exact >= enough {
         return floor;
@@ -218,42 +225,25 @@ fn is_exact_in_part(patch: &[Point], fine: f64) -> bool {
 /// first, no more are looked at.
 fn on_thin_shells(
     points: &[Point],
-    graph: &Neighbourhoods,
+    tree: &KdTree,
     some: &[u32],
     fine: f64,
     wanted: usize,
 ) -> usize {
+    let mut near = Vec::new();
     let mut count = 0;
     for (place, &index) in some.iter().enumerate() {
         if count == wanted || (place == FIRST && count == 0) {
             break;
         }
-        let patch = wide_patch(points, graph, index);
+        let middle = &points[index as usize];
+        tree.nearest(middle, WIDE, f64::INFINITY, |_| true, &mut near);
+        let patch: Vec<Point> = near.iter().map(|n| points[n.index as usize]).collect();
         let mut kinds = CURVED.into_iter();
         let is_on = kinds.any(|kind| through_sheet(kind, &patch, fine, SPARE).next().is_some());
         count += usize::from(is_on);
     }
     count
-}
-
-/// A point, and of its neighbours and theirs the nearest, all that are equally far.
-fn wide_patch(points: &[Point], graph: &Neighbourhoods, index: u32) -> Vec<Point> {
-    let neighbours = graph.of(index).iter();
-    let mut near: Vec<u32> = neighbours.flat_map(|&i| graph.of(i)).copied().collect();
-    near.sort_unstable();
-    near.dedup();
-    let middle = points[index as usize];
-    let square = |i: u32| (points[i as usize] - middle).norm_squared();
-    let mut squares: Vec<f64> = near.iter().map(|&i| square(i)).collect();
-    if squares.len() > WIDE {
-        let (_, farthest, _) = squares.select_nth_unstable_by(WIDE, f64::total_cmp);
-        // Equal distances differ in the last digit once a cloud is turned.
-        let reach = *farthest * (1.0 + 1e-9);
-        near.retain(|&i| square(i) <= reach);
-    }
-    let others = near.into_iter().filter(|&i| i != index);
-    let patch = std::iter::once(index).chain(others);
-    patch.map(|i| points[i as usize]).collect()
 }
 
 /// Median of the lowest pile of the residuals, which are sorted.

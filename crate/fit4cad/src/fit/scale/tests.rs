@@ -4,11 +4,11 @@ use nalgebra::UnitQuaternion;
 
 use super::*;
 use crate::cloud::Vector;
-use crate::cloud::neighbours::KdTree;
 
 fn measured(points: Vec<Point>, tolerance: f64) -> Scale {
-    let graph = Neighbourhoods::new(&points, &KdTree::new(&points), 16);
-    Scale::measure(&Cloud::new(points), &graph, tolerance)
+    let tree = KdTree::new(&points);
+    let graph = Neighbourhoods::new(&points, &tree, 16);
+    Scale::measure(&Cloud::new(points), &tree, &graph, tolerance)
 }
 
 /// A square plate of 40 × 40 points with spacing one.

@@ -9,7 +9,7 @@ pub struct Polygon {
     edges: Vec<[Place; 2]>,
     /// Heights at which the rows begin and end.
     range: [f64; 2],
-    /// The edges that reach into each row.
+    /// The edges that reach into each row; there is at least one.
     rows: Vec<Vec<u32>>,
 }
 
@@ -40,7 +40,7 @@ impl Polygon {
     fn row(&self, height: f64) -> usize {
         let [low, high] = self.range;
         let share = (height - low) / (high - low);
-        ((share * self.rows.len() as f64) as usize).min(self.rows.len().saturating_sub(1))
+        ((share * self.rows.len() as f64) as usize).min(self.rows.len() - 1)
     }
 
     /// Whether a place is within: whether a ray from it crosses the polygon an odd number of times.
@@ -55,8 +55,8 @@ impl Polygon {
             let is_beside = (a[1] <= place[1]) != (b[1] <= place[1]);
             is_beside && place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1])
         };
-        let row = self.rows.get(self.row(place[1]));
-        row.is_some_and(|row| row.iter().filter(crosses).count() % 2 == 1)
+        let row = &self.rows[self.row(place[1])];
+        row.iter().filter(crosses).count() % 2 == 1
     }
 }
 
