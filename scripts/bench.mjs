@@ -18,6 +18,17 @@ import { ROOT } from "./lib/paths.mjs";
 import { Plain, main } from "./lib/run.mjs";
 import { setup } from "./setup.mjs";
 
+/**
+ * @typedef {object} Options
+ * @property {number} models most models to look at
+ * @property {boolean} quick
+ * @property {string | undefined} markdown
+ */
+
+/**
+ * @typedef {{ name: string, about: string, measure: (bench: Bench, options: Options) => void | Promise<void> }} Section
+ * @returns {Promise<Section[]>}
+ */
 async function sections() {
   const folder = join(ROOT, "scripts/bench");
   const files = readdirSync(folder).filter((name) => name.endsWith(".mjs"));
@@ -25,23 +36,25 @@ async function sections() {
 }
 
 function readOptions() {
-  const options = {
-    models: { type: "string" },
-    quick: { type: "boolean", default: false },
-    markdown: { type: "string" },
-  };
-  let parsed;
-  try {
-    parsed = parseArgs({ options, allowPositionals: true });
-  } catch (error) {
-    throw new Plain(error.message);
-  }
-  const { values, positionals } = parsed;
+  const { values, positionals } = parsed();
   const models = values.models === undefined ? Infinity : Number(values.models);
   if (!(models >= 1)) {
     throw new Plain(`--models ${values.models}: expected a whole number of at least 1`);
   }
-  return { ...values, models, wanted: positionals };
+  return { quick: values.quick, markdown: values.markdown, models, wanted: positionals };
+}
+
+function parsed() {
+  try {
+    const options = /** @type {const} */ ({
+      models: { type: "string" },
+      quick: { type: "boolean", default: false },
+      markdown: { type: "string" },
+    });
+    return parseArgs({ options, allowPositionals: true });
+  } catch (error) {
+    throw new Plain(error instanceof Error ? error.message : String(error));
+  }
 }
 
 await main(async () => {

@@ -3,6 +3,7 @@
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { writeDeclared } from "./lib/declared.mjs";
 import { ROOT, WASM_TARGET, npmCommand, tool } from "./lib/paths.mjs";
 import { ask, isMain, main, run, runNode, say } from "./lib/run.mjs";
 import { setup } from "./setup.mjs";
@@ -25,8 +26,11 @@ const OPTIMISE = ["-O3", ...FEATURES.map((feature) => `--enable-${feature}`)];
 const MODULES = [
   { crate: "fit4cad-engine", name: "engine", folders: ["www/generated/engine", "bin/engine"] },
   { crate: "fit4cad-scorer", name: "scorer", folders: ["www/generated/scorer"] },
+  { crate: "fit4cad-cad", name: "cad", folders: ["www/generated/cad", "bin/cad"] },
   { crate: "fit4cad-view", name: "view", folders: ["www/generated/view"] },
 ];
+
+const DECLARED = "www/generated/declared";
 
 /** Builds the wasm modules; does nothing where neither sources nor tools have changed. */
 export async function buildWasm() {
@@ -36,6 +40,7 @@ export async function buildWasm() {
     await run("cargo", [...build, "--package", module.crate]);
     await generate(module);
   }
+  await declare();
 }
 
 /** Builds what a static host serves: www/dist. */
@@ -43,8 +48,24 @@ export async function buildPage() {
   await buildWasm();
   say("building the page into www/dist");
   await runNode(npmCommand("vite/bin/vite.js"), ["build", "--logLevel", "warn"]);
+  await buildDocumentation();
 }
 
+/**
+ * Puts the engine's documentation beside the page, where its About links to it. After the page, so that
+ * the service worker keeps none of it: it is not needed to work offline.
+ */
+async function buildDocumentation() {
+  say("documenting the engine into www/dist/doc");
+  const folder = join(ROOT, "target/doc");
+  rmSync(folder, { recursive: true, force: true });
+  await run("cargo", ["doc", "--locked", "--quiet", "--no-deps", "--package", "fit4cad"], {
+    env: { RUSTDOCFLAGS: "-D warnings" },
+  });
+  cpSync(folder, join(ROOT, "www/dist/doc"), { recursive: true });
+}
+
+/** @param {(typeof MODULES)[number]} module */
 async function generate({ crate, name, folders }) {
   const compiled = join(ROOT, "target", WASM_TARGET, "release", `${crate.replaceAll("-", "_")}.wasm`);
   const stamp = stampOf(compiled);
@@ -71,7 +92,21 @@ async function generate({ crate, name, folders }) {
   }
 }
 
-/** Changes whenever the compiled module or a tool that works on it does. */
+/** Writes out what the engine declares, unless that is done. */
+async function declare() {
+  const engine = "bin/engine";
+  const stamp = readStamp(engine) ?? "";
+  if (readStamp(DECLARED) === stamp) {
+    return;
+  }
+  await writeDeclared(join(ROOT, engine), join(ROOT, DECLARED));
+  writeFileSync(join(ROOT, DECLARED, ".stamp"), stamp);
+}
+
+/**
+ * Changes whenever the compiled module or a tool that works on it does.
+ * @param {string} compiled path of the module
+ */
 function stampOf(compiled) {
   const wasmOpt = readFileSync(npmCommand("binaryen/package.json"), "utf8");
   return createHash("sha256")
@@ -82,6 +117,7 @@ function stampOf(compiled) {
     .digest("hex");
 }
 
+/** @param {string} folder */
 function readStamp(folder) {
   const stamp = join(ROOT, folder, ".stamp");
   return existsSync(stamp) ? readFileSync(stamp, "utf8") : undefined;

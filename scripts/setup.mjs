@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { ROOT, TOOLS, WASM_TARGET, tool } from "./lib/paths.mjs";
 import { Plain, ask, isMain, main, run, say } from "./lib/run.mjs";
 
-const OLDEST_NODE = [20, 19];
+const OLDEST_NODE = "20.19";
 
 export async function setup() {
   checkNode();
@@ -16,10 +16,9 @@ export async function setup() {
 }
 
 function checkNode() {
-  const [major, minor] = process.versions.node.split(".").map(Number);
-  if (major < OLDEST_NODE[0] || (major === OLDEST_NODE[0] && minor < OLDEST_NODE[1])) {
+  if (isOlder(process.versions.node, OLDEST_NODE)) {
     throw new Plain(
-      `Node ${process.versions.node} is too old: version ${OLDEST_NODE.join(".")} or newer is needed (https://nodejs.org).`,
+      `Node ${process.versions.node} is too old: version ${OLDEST_NODE} or newer is needed (https://nodejs.org).`,
     );
   }
 }
@@ -30,6 +29,26 @@ function checkRust() {
       "cargo was not found. Install Rust with rustup (https://rustup.rs), open a new terminal and try again.",
     );
   }
+  const manifest = readFileSync(join(ROOT, "Cargo.toml"), "utf8");
+  const wanted = /^rust-version = "([\d.]+)"$/m.exec(manifest)?.[1];
+  const found = /^rustc ([\d.]+)/.exec(ask("rustc", ["--version"]) ?? "")?.[1];
+  if (wanted && found && isOlder(found, wanted)) {
+    throw new Plain(
+      `Rust ${found} is too old: version ${wanted} or newer is needed. \`rustup update stable\` fetches it (https://rustup.rs).`,
+    );
+  }
+}
+
+/**
+ * Whether a version comes before another.
+ * @param {string} version
+ * @param {string} other
+ */
+export function isOlder(version, other) {
+  const parts = version.split(".").map(Number);
+  const others = other.split(".").map(Number);
+  const at = others.findIndex((part, place) => part !== (parts[place] ?? 0));
+  return at >= 0 && (parts[at] ?? 0) < (others[at] ?? 0);
 }
 
 async function addTarget() {
@@ -52,6 +71,7 @@ function packagesAreThere() {
   if (!existsSync(installed)) {
     return false;
   }
+  /** @type {(path: string) => Record<string, { version: string, optional?: boolean }>} */
   const read = (path) => JSON.parse(readFileSync(path, "utf8")).packages;
   const there = read(installed);
   return Object.entries(read(join(ROOT, "package-lock.json"))).every(

@@ -1,9 +1,25 @@
-// How a diagnostic reads in the terminal.
+// Diagnostics at the terminal.
 
-/** `file:line:column: severity: message (found …, expected …). hint` */
-export function inOneLine({ severity, file, line, column, message, found, expected, hint }) {
-  const place = line === undefined || line === null ? "" : `:${line}:${column}`;
-  const details = [found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean);
-  const detail = details.length > 0 ? ` (${details.join(", ")})` : "";
-  return `${file}${place}: ${severity}: ${message}${detail}${hint ? `. ${hint}` : ""}`;
+import { warn } from "./terminal.mjs";
+
+/** @typedef {import("./inputs.mjs").Diagnostic} Diagnostic */
+
+/**
+ * Each diagnostic in the one line that the engine makes of it.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {readonly Diagnostic[]} diagnostics
+ */
+export function inOneLine(engine, diagnostics) {
+  return engine.oneLines([...diagnostics]);
+}
+
+/**
+ * Tells each diagnostic in its line.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {readonly Diagnostic[]} diagnostics
+ */
+export function tell(engine, diagnostics) {
+  for (const line of inOneLine(engine, diagnostics)) {
+    warn(line);
+  }
 }

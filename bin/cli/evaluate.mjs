@@ -4,39 +4,103 @@ import { createHash } from "node:crypto";
 import { unusable } from "./inputs.mjs";
 import { eachModel, isOfTruth } from "./models.mjs";
 
+/** @typedef {import("./engine.mjs").Engine} Engine */
+/** @typedef {import("./inputs.mjs").File} File */
+/** @typedef {import("./inputs.mjs").Diagnostic} Diagnostic */
+/** @typedef {import("../engine/engine.js").Model} Model */
+/** @typedef {import("../engine/engine.js").Protocol} Protocol */
+/** @typedef {import("../../www/shared/formats/results.mjs").HashedFile} HashedFile */
+
 /**
- * Scores every submission among the files; with `self`, the truth against itself instead. The
- * overrides say, by path, what is known better about a file than its name tells. Gives
- * `{ results, diagnostics }`: the reports in the engine's order, by model number, name and method,
- * each with the engine's version and the files it was made of.
+ * @template {{ method: string }} R
+ * @typedef {object} Request
+ * @property {(model: Model, method: string | undefined) => R} report what is asked of a model about a
+ *   method, or about the truth itself
+ * @property {Record<string, import("../engine/engine.js").Override>} [overrides] by path, what is
+ *   known better about a file than its name tells
+ * @property {boolean} [self] scores the truth against itself instead of each submission
+ * @property {(text: string) => void} [progress]
  */
-export function evaluate(engine, files, { protocol, overrides = {}, self = false, progress = () => {} }) {
+
+/**
+ * What is asked of a model for a score.
+ * @param {Protocol} protocol
+ * @returns {(model: Model, method: string | undefined) => import("../engine/engine.js").Report & { surfacesFitted?: boolean }}
+ */
+export function scoredBy(protocol) {
+  return (model, method) => {
+    const report = model.score(method, protocol);
+    return method !== undefined && model.info().fitted.includes(method) ? { ...report, surfacesFitted: true } : report;
+  };
+}
+
+/**
+ * Reports on every submission among the files. Gives the reports in the engine's order, by model
+ * number, name and method, each with the engine's version and the files it was made of.
+ * @template {{ method: string }} R
+ * @param {Engine} engine
+ * @param {readonly File[]} files
+ * @param {Request<R>} request
+ */
+export async function evaluate(engine, files, { report, overrides = {}, self = false, progress = () => {} }) {
+  /** @type {(R & { engine: string, files: HashedFile[] })[]} */
   const results = [];
+  /** @type {Diagnostic[]} */
   const found = [];
   const version = engine.version();
-  const wanted = self ? isOfTruth : undefined;
-  const unread = eachModel(engine, files, { wanted, overrides, progress }, (model, inputs) => {
-    const { reports, diagnostics } = scoreModel(model, { protocol, self });
-    const hashed = inputs.map(hash);
+  /** By path, of the files that were read. @type {Map<string, string>} */
+  const hashes = new Map();
+  const hashing = files.map((file) => ({ ...file, read: () => hashed(file, hashes) }));
+  const wanted = self ? isOfTruth : () => true;
+  const read = await eachModel(engine, hashing, { wanted, overrides, progress }, (model, inputs) => {
+    const { reports, diagnostics } = scoreModel(model, { report, self });
+    const known = inputs.filter(({ path }) => hashes.has(path));
+    const listed = known.map(({ path, role, method }) => listedFile({ path, role, method }, hashes));
     results.push(
-      ...reports.map((report) => ({
-        ...report,
+      ...reports.map((each) => ({
+        ...each,
         engine: version,
-        files: hashed.filter(({ method }) => method === undefined || method === report.method),
+        files: listed.filter(({ method }) => method === undefined || method === each.method),
       })),
     );
     found.push(...diagnostics);
+    hashes.clear();
   });
-  return { results, diagnostics: [...unread, ...found] };
+  return { results, diagnostics: [...read.diagnostics, ...found], engine: read.engine };
 }
 
-function hash({ bytes, ...file }) {
-  return { ...file, sha256: createHash("sha256").update(bytes).digest("hex") };
+/**
+ * @param {import("../engine/engine.js").PlacedFile} file
+ * @param {ReadonlyMap<string, string>} hashes
+ * @returns {HashedFile}
+ */
+function listedFile({ path, role, method }, hashes) {
+  return { path, role, ...(method === undefined ? {} : { method }), sha256: hashes.get(path) ?? null };
 }
 
-function scoreModel(model, { protocol, self }) {
+/**
+ * @param {File} file
+ * @param {Map<string, string>} hashes
+ */
+function hashed({ path, read }, hashes) {
+  const bytes = read();
+  hashes.set(path, createHash("sha256").update(bytes).digest("hex"));
+  return bytes;
+}
+
+/**
+ * @template R
+ * @param {Model} model
+ * @param {{ report: (model: Model, method: string | undefined) => R, self: boolean }} how
+ * @returns {{ reports: R[], diagnostics: Diagnostic[] }}
+ */
+function scoreModel(model, { report, self }) {
   const { name, hasTruth, methods, diagnostics } = model.info();
-  const unscored = (...about) => ({ reports: [], diagnostics: [...diagnostics, unusable(name, ...about)] });
+  /** @param {string} message @param {string} hint @param {Diagnostic["severity"]} [severity] */
+  const unscored = (message, hint, severity) => ({
+    reports: [],
+    diagnostics: [...diagnostics, unusable(name, message, hint, severity)],
+  });
   if (!hasTruth) {
     const hint = `Give ${name}_primitives.txt of the benchmark as well`;
     return unscored("there is no ground truth to score against", hint);
@@ -49,5 +113,5 @@ function scoreModel(model, { protocol, self }) {
   }
   // No method: the truth itself.
   const submissions = self ? [undefined] : methods;
-  return { reports: submissions.map((method) => model.score(method, protocol)), diagnostics };
+  return { reports: submissions.map((method) => report(model, method)), diagnostics };
 }

@@ -1,105 +1,126 @@
 // `fit4cad fit`.
 
-import { mkdirSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
-import { align } from "../formats/align.mjs";
-import { inOneLine } from "./diagnostics.mjs";
+import { join } from "node:path";
+import { SURFACE_TYPES } from "../../www/generated/declared/surface-types.js";
+import { align } from "../../www/shared/formats/align.mjs";
+import { SEGMENTATION } from "../../www/shared/roles.mjs";
+import { tell } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
 import { fitAll } from "./fitting.mjs";
 import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
-import { collect, reason } from "./inputs.mjs";
+import { collect } from "./inputs.mjs";
 import { METHODS, givenParameters, parameterOptions } from "./parameters.mjs";
+import { recognise } from "./single.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, number, readArguments } from "./usage.mjs";
+import { makeFolder, writeWhole } from "./write.mjs";
 
-const OPTIONS = {
+const OPTIONS = /** @type {const} */ ({
   method: { type: "string" },
   out: { type: "string" },
   ...FORMAT_OPTIONS,
   seed: { type: "string", default: "1" },
-};
+  single: { type: "boolean", default: false },
+});
 
-/** The results could not be written. */
-class NotWritten extends Error {}
-
-/** Fits what the arguments name; gives the exit code. */
+/**
+ * Fits what the arguments name; gives the exit code.
+ * @param {readonly string[]} args
+ */
 export async function fit(args) {
   const engine = await loadEngine();
-  const options = parameterOptions(engine);
-  const flags = options.map(({ flag }) => [flag, { type: "string" }]);
-  const { values, positionals } = readArguments(args, { ...OPTIONS, ...Object.fromEntries(flags) });
+  const options = parameterOptions();
+  /** @type {Record<string, { type: "string" }>} */
+  const flags = Object.fromEntries(options.map(({ flag }) => [flag, { type: "string" }]));
+  const { values: given, positionals } = readArguments(args, { ...OPTIONS, ...flags });
+  /** @type {import("./usage.mjs").Values<typeof OPTIONS>} */
+  const values = given;
+  if (values.single) {
+    return single(engine, values, positionals);
+  }
   if (values.method === undefined) {
-    throw new UsageError("choose a method: --method ht or --method pg");
+    throw new UsageError(`choose a method: ${METHODS.map((name) => `--method ${name}`).join(" or ")}`);
   }
   const method = choice("method", values.method.toLowerCase(), METHODS);
   const format = formatOf(values, ["table", "json"]);
   const seed = number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true });
-  const parameters = givenParameters(options, method, values);
+  const parameters = givenParameters(options, method, given);
   if (positionals.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
+  }
+  const { out } = values;
+  if (out !== undefined) {
+    // Before anything is fitted that could then not be kept.
+    makeFolder(out);
   }
 
   progress.show("looking for files");
   const inputs = collect(positionals);
-  const take = values.out === undefined ? () => {} : writer(values.out);
-  let fitted;
-  try {
-    fitted = fitAll(engine, inputs.files, {
-      ...{ method, parameters, seed, take },
-      progress: (text) => progress.show(`fitting ${text}`),
-    });
-  } catch (error) {
-    if (error instanceof NotWritten) {
-      warn(`fit4cad fit: ${error.message}`);
-      return 1;
-    }
-    throw error;
-  }
+  const { models, diagnostics, engine: able } = await fitAll(engine, inputs.files, {
+    ...{ method, parameters, seed },
+    take: (of, model, name, texts) => out !== undefined && write(of, out, model, name, texts),
+    progress: (text) => progress.show(`fitting ${text}`),
+  });
   progress.clear();
 
-  const { models } = fitted;
-  const problems = [...inputs.diagnostics, ...fitted.diagnostics];
-  for (const problem of problems) {
-    warn(inOneLine(problem));
+  const problems = [...inputs.diagnostics, ...diagnostics];
+  tell(able, problems);
+  const unwritten = models.flatMap(({ error }) => error ?? []);
+  for (const error of unwritten) {
+    warn(`fit4cad fit: ${error}`);
   }
   if (models.length === 0) {
     warn("fit4cad fit: there was no cloud to fit; see fit4cad fit --help.");
   }
-  await print(format === "json" ? `${JSON.stringify(models, null, 2)}\n` : table(models));
-  const failed = models.length === 0 || problems.some(({ severity }) => severity === "error");
+  const made = models.map((model) => ({ engine: engine.version(), ...model }));
+  await print(format === "json" ? `${JSON.stringify(made, null, 2)}\n` : table(models));
+  const failed = models.length === 0 || unwritten.length > 0 || problems.some(({ severity }) => severity === "error");
   return failed ? 1 : 0;
 }
 
-/** Writes a submission's files below `out`, in the layout of the public test set. */
-function writer(out) {
-  return (model, method, texts) => {
-    // A name may tell the set its model is of (`training_set/PC1`), but never lead out of `out`.
-    const steps = model.split(/[\\/]/).filter((step) => !["", ".", ".."].includes(step));
-    const name = steps.pop() ?? "model";
-    for (const role of ["primitives", "parametric", "implicit"]) {
-      const path = join(out, ...steps, `pointCloud_${role}_${method}`, `${name}_${role}.txt`);
-      try {
-        mkdirSync(dirname(path), { recursive: true });
-        writeFileSync(path, texts[role]);
-      } catch (error) {
-        throw new NotWritten(`${path} could not be written: ${reason(error)}`);
-      }
-    }
-  };
+/**
+ * Takes each cloud, or each of its segments, for one primitive; gives the exit code.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {import("./usage.mjs").Values<typeof OPTIONS>} values
+ * @param {readonly string[]} paths
+ */
+function single(engine, values, paths) {
+  if (values.method !== undefined) {
+    throw new UsageError("--single takes no method: it tries every type of surface");
+  }
+  if (paths.length === 0) {
+    throw new UsageError("give at least one file, folder or zip");
+  }
+  return recognise(engine, paths, { out: values.out, json: formatOf(values, ["table", "json"]) === "json" });
 }
 
+/**
+ * Writes a submission's files below `out`, in the layout of the public test set.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {string} out
+ * @param {string} model
+ * @param {string} method
+ * @param {import("../engine/engine.js").Texts} texts
+ */
+function write(engine, out, model, method, texts) {
+  for (const role of SEGMENTATION) {
+    writeWhole(join(out, engine.pathOf("test-set", model, role, method)), texts[role]);
+  }
+}
+
+/** @param {readonly import("./fitting.mjs").Fitted[]} models */
 function table(models) {
   if (models.length === 0) {
     return "";
   }
-  const types = ["Plane", "Cylinder", "Cone", "Sphere", "Torus"];
+  const types = SURFACE_TYPES.map(({ name }) => name);
   const head = ["model", "points", "seconds", "primitives", ...types.map((type) => type.toLowerCase())];
-  const rows = models.map(({ model, points, seconds, primitives }) => [
+  const rows = models.map(({ model, points, seconds, primitives, types: counts }) => [
     model,
     String(points),
     seconds.toFixed(3),
     String(primitives.length),
-    ...types.map((type) => String(primitives.filter((each) => each.type === type).length)),
+    ...types.map((type) => String(counts[type])),
   ]);
   return `${align([head, ...rows], 1)}\n`;
 }

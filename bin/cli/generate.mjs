@@ -1,103 +1,103 @@
 // `fit4cad generate`.
 
-import { mkdirSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { join } from "node:path";
+import { PARTS } from "../../www/generated/declared/parts.js";
+import { SAMPLE_OPTIONS } from "../../www/generated/declared/sample-options.js";
 import { loadEngine } from "./engine.mjs";
-import { reason } from "./inputs.mjs";
-import { print, warn } from "./terminal.mjs";
-import { UsageError, number, readArguments } from "./usage.mjs";
+import { print } from "./terminal.mjs";
+import { UsageError, numbersOf, readArguments } from "./usage.mjs";
+import { writeWhole } from "./write.mjs";
 
-const OPTIONS = {
+/** @typedef {import("../engine/engine.js").SampleOptions} SampleOptions */
+/** @typedef {import("../engine/engine.js").Role} Role */
+
+const SAMPLING = /** @type {Record<keyof SampleOptions, { type: "string" }>} */ (
+  Object.fromEntries(SAMPLE_OPTIONS.map(({ name }) => [name, { type: "string" }]))
+);
+
+const OPTIONS = /** @type {const} */ ({
   list: { type: "boolean", default: false },
-  seed: { type: "string" },
-  spacing: { type: "string" },
-  noise: { type: "string" },
-  outliers: { type: "string" },
-  missing: { type: "string" },
+  ...SAMPLING,
   imperfect: { type: "boolean", default: false },
   name: { type: "string" },
   out: { type: "string", default: "." },
-};
+});
 
-/** Makes a part's files, or lists the parts; gives the exit code. */
+/**
+ * Makes a part's files, or lists the parts; gives the exit code.
+ * @param {readonly string[]} args
+ */
 export async function generate(args) {
   const { values, positionals } = readArguments(args, OPTIONS);
-  const options = {
-    seed: number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true }),
-    spacing: number("spacing", values.spacing, { least: 0 }),
-    noise: number("noise", values.noise, { least: 0 }),
-    outliers: number("outliers", values.outliers, { least: 0, most: 1 }),
-    missing: number("missing", values.missing, { least: 0, most: 1 }),
-  };
+  /** @type {SampleOptions} */
+  const options = numbersOf(SAMPLE_OPTIONS, values);
   const engine = await loadEngine();
-  const parts = engine.parts();
   if (values.list) {
     if (positionals.length > 0) {
       throw new UsageError("--list takes no part");
     }
-    await list(parts);
+    await list();
     return 0;
   }
-  if (positionals.length !== 1) {
+  const [part, ...others] = positionals;
+  if (part === undefined || others.length > 0) {
     throw new UsageError("give one part; --list shows them");
   }
-  const [part] = positionals;
-  if (!parts.some(({ name }) => name === part)) {
+  if (!PARTS.some(({ name }) => name === part)) {
     throw new UsageError(`there is no part "${part}"; --list shows what there is`);
   }
   const name = values.name ?? part;
   if (!/^[^/\\]+$/.test(name)) {
     throw new UsageError(`--name ${name}: expected a name of files, without folders`);
   }
-  return write(make(engine, part, options, { name, imperfect: values.imperfect }), values.out);
+  const files = make(engine, part, options, { name, imperfect: values.imperfect });
+  const paths = Object.entries(files).map(([file, text]) => ({ path: join(values.out, file), text }));
+  for (const { path, text } of paths) {
+    writeWhole(path, text);
+  }
+  // Only now: a reader that has gone ends the command.
+  await print(paths.map(({ path }) => `${path}\n`).join(""));
+  return 0;
 }
 
-async function list(parts) {
-  const width = Math.max(...parts.map(({ name }) => name.length));
-  await print(parts.map(({ name, description }) => `${name.padEnd(width)}  ${description}\n`).join(""));
+async function list() {
+  const width = Math.max(...PARTS.map(({ name }) => name.length));
+  await print(PARTS.map(({ name, description }) => `${name.padEnd(width)}  ${description}\n`).join(""));
 }
 
+/**
+ * The files of a part by their names.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {string} part
+ * @param {SampleOptions} options
+ * @param {{ name: string, imperfect: boolean }} how
+ * @returns {Record<string, string>}
+ */
 function make(engine, part, options, { name, imperfect }) {
-  const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
   let model;
   try {
-    model = engine.Model.generate(part, given);
+    model = engine.Model.generate(part, options);
   } catch (error) {
     // The engine says what is wrong with the options (a spacing of a millionth, say).
-    throw new UsageError(error.message);
+    throw new UsageError(error instanceof Error ? error.message : String(error));
   }
   try {
-    const truth = model.write();
-    const files = { [`${name}.txt`]: truth.cloud, ...segmentation(truth, name) };
-    if (!imperfect) {
-      return files;
-    }
-    const method = model.imperfect(options.seed ?? 1);
-    return { ...files, ...segmentation(model.write(method), join(method, name)) };
+    const files = filesOf(engine, model, name);
+    return imperfect ? { ...files, ...filesOf(engine, model, name, model.imperfect(options.seed ?? 1)) } : files;
   } finally {
     model.free();
   }
 }
 
-function segmentation({ primitives, parametric, implicit }, name) {
-  return {
-    [`${name}_primitives.txt`]: primitives,
-    [`${name}_parametric.txt`]: parametric,
-    [`${name}_implicit.txt`]: implicit,
-  };
-}
-
-async function write(files, folder) {
-  try {
-    for (const [file, text] of Object.entries(files)) {
-      const path = join(folder, file);
-      mkdirSync(dirname(path), { recursive: true });
-      writeFileSync(path, text);
-      await print(`${path}\n`);
-    }
-    return 0;
-  } catch (error) {
-    warn(`fit4cad generate: ${folder} could not be written: ${reason(error)}`);
-    return 1;
-  }
+/**
+ * The files of the truth, or of a method's submission, by path.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {import("../engine/engine.js").Model} model
+ * @param {string} name
+ * @param {string} [method]
+ * @returns {Record<string, string>}
+ */
+function filesOf(engine, model, name, method) {
+  const texts = /** @type {[Role, string][]} */ (Object.entries(model.write(method)));
+  return Object.fromEntries(texts.map(([role, text]) => [engine.pathOf("beside", name, role, method), text]));
 }

@@ -1,11 +1,35 @@
 // What `--help` teaches.
 
-import { parameterHelp } from "./parameters.mjs";
+import { EXPORTS } from "../../www/generated/declared/exports.js";
+import { FILE_KINDS } from "../../www/generated/declared/file-kinds.js";
+import { FIGURES } from "../../www/generated/declared/figures.js";
+import { FIGURE_SCALE } from "../../www/generated/declared/figure-scale.js";
+import { FITTERS } from "../../www/generated/declared/fitters.js";
+import { MEASURES } from "../../www/generated/declared/measures.js";
+import { NORMALISATIONS } from "../../www/generated/declared/normalisations.js";
+import { PROTOCOLS } from "../../www/generated/declared/protocols.js";
+import { PROTOCOL_DIFFERENCES } from "../../www/generated/declared/protocol-differences.js";
+import { ROLES } from "../../www/generated/declared/roles.js";
+import { SAMPLE_OPTIONS } from "../../www/generated/declared/sample-options.js";
+import { FORMATS } from "../../www/shared/formats/index.mjs";
+import { CALLED, STEP_FORM } from "../../www/shared/step.mjs";
+import { loadCad } from "./cad.mjs";
+import { WEAR } from "./import.mjs";
+import { parameterHelp, rangeOf } from "./parameters.mjs";
+import { terms } from "./terms.mjs";
+
+const PROTOCOL_NAMES = PROTOCOLS.map(({ name }) => name).join("|");
+const FITTER_NAMES = FITTERS.map(({ name }) => name).join("|");
+const OF_FIELD = FIGURES.filter(({ group }) => group === "segmentation");
+const OF_FIT = FIGURES.filter(({ group }) => group === "fit");
+const ROLE_NAMES = ROLES.map(({ name }) => name).join(", ");
 
 const fit4cad = () => `fit4cad: fit, score and make segmentations of CAD point clouds, as the Fit4CAD benchmark does
 
   fit4cad score PATH…       score submissions against the ground truth
-  fit4cad fit PATH…         find the primitives of clouds, with method HT or PG
+  fit4cad fit PATH…         find the primitives of clouds, with method ${FITTERS.map(({ title }) => title).join(" or ")}
+  fit4cad export PATH…      write segmentations as tables, labelled points and meshes
+  fit4cad import PATH…      make models of STEP files: points on their faces, and the truth
   fit4cad check PATH…       find errors in a ground truth, and correct them
   fit4cad stats PATH…       count what a set of models holds
   fit4cad generate PART     make a model with known ground truth
@@ -13,8 +37,8 @@ const fit4cad = () => `fit4cad: fit, score and make segmentations of CAD point c
   fit4cad COMMAND --help    what a command reads, prints and means
   fit4cad --version
 
-score, fit, check and stats print a table; with --format json, or --json for short, they print all
-they know, for programs.
+score, fit, import, check and stats print a table; with --format json, or --json for short, they print all
+they know, for programs, and {"error": …} where a call fails as a whole.
 
 Try it on a model of your own making:
   fit4cad generate --list
@@ -24,43 +48,38 @@ Try it on a model of your own making:
 Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
 `;
 
-const score = () => `fit4cad score PATH… [--protocol definition|published] [--format FORMAT] [--self] [--as …]
+const score = () => `fit4cad score PATH… [--protocol ${PROTOCOL_NAMES}] [--format FORMAT] [--self] [--as …]
+fit4cad score PATH… [--protocol NAME,NAME…] [--measures NAME,NAME…] [--normalisation NAME]
+                    [--epsilon N] [--by size,type] [--format FORMAT] [--self] [--as …]
 
 Scores every submission found in the given files, folders and zips against the ground truth found
 beside it. Files belong to one model by their names:
 
-  PC14.txt                       the cloud
-  PC14_primitives.txt            which points make up each primitive
-  PC14_parametric.txt            each primitive's surface, parametric form
-  PC14_implicit.txt              each primitive's surface, implicit form
-
-A folder whose name ends in a method's (pointCloud_primitives_HT) or is one (HT/) holds that
+${terms(ROLES.map(({ name, meaning }) => [name === "cloud" ? "PC14.txt" : `PC14_${name}.txt`, meaning]), 33)}
+A cloud may be of any of these kinds, told by its content; PC14.txt beside PC14.ply is the cloud:
+${terms(FILE_KINDS.map(({ endings, title, meaning }) => [`.${endings[0]}`, `${title}${others(endings)}: ${meaning}`]), 10)}A folder whose name ends in a method's (pointCloud_primitives_HT) or is one (HT/) holds that
 method's submission; files in other folders are the truth. One of the two surface files is enough.
 
-  --protocol definition   (default) the formulas of the Fit4CAD paper, computed exactly
-  --protocol published    what the authors' scripts compute, to set a score beside the paper's
-                          tables. Note: those scripts swap prediction and truth, so the columns
-                          PPV and TPR hold each other's values, and so do TNR and NPV. True
-                          negatives are counted among the points listed by the truth only, and
-                          the mean of d1 counts missing primitives as perfect.
-  --format table          (default) one aligned row per model and method
-  --format json           (--json) everything, with one entry per primitive and the diagnostics
-  --format csv            one row per model and method, for a spreadsheet
-  --format latex          a booktabs table like the paper's
-  --format markdown       a table for a README or a discussion
-  --self                  scores the truth against itself, as method "truth"
-  --as role=R,model=M,method=N:FILE
-                          FILE is R (cloud, primitives, parametric, implicit) of model M, found by
-                          method N (empty: the truth), whatever its name says; each of the three
-                          may be left out, and the option may be repeated
+${terms(PROTOCOLS.map(({ name, meaning }, place) => [`--protocol ${name}`, `${place === 0 ? "(default) " : ""}${meaning}`]), 26)}${formatHelp(26)}  --self                  scores the truth against itself, as method "truth"
+  --as role=R,model=M,method=N,first=F:FILE
+                          FILE is R (${ROLE_NAMES}) of model M, found by
+                          method N (empty: the truth), whatever its name says, and its indices count
+                          from F (0 or 1); each of the four may be left out, and the option may be
+                          repeated
 
 Measures, each the mean over primitives; n/a (null in JSON) where one cannot be had:
-  DSC PPV TPR TNR NPV ACC  agreement of the point sets: Dice, precision, recall, specificity,
-                           negative predictive value, accuracy; 1 is best
-  MFE dHaus                mean and largest distance of a predicted primitive's points to its
-                           predicted surface, over the diagonal of their bounding box; 0 is best
-  d1                       distance of the predicted and the true implicit coefficients; 0 is best
-  type errors              predictions whose type differs from the truth's: they have no d1
+${terms(MEASURES.map(({ key, name, meaning, range, better }) => [key, `${name}, ${range}; ${better} is better. ${meaning}`]), 15)}${terms([["type errors", "predictions whose type differs from the truth's: they have no d1"]], 15)}
+How the two protocols differ:
+${PROTOCOL_DIFFERENCES.map(({ what, definition, published }) => `  ${what}\n${terms([["  definition", definition], ["  published", published]], 18)}`).join("")}
+What the rest of the field reports, beside the benchmark's measures: several protocols with commas
+between them, or all. A table of figures, then over several models mean, 95 % interval (bootstrap)
+and quartiles, then method against method with Wilcoxon's test.
+${terms(OF_FIELD.map(({ key, title, definition, rewards, trap, source }) => [`--protocol ${key}`, `${title}. ${definition} Rewards: ${lower(rewards)} Trap: ${lower(trap)} Read off ${source}.`]), 26)}
+  --measures NAME,NAME…   figures of fit, or all; true and predicted primitives are matched one to one
+${terms(OF_FIT.map(({ key, title, definition, trap, better }) => [`  ${key}`, `${title}; ${better} is better. ${definition} Trap: ${lower(trap)}`]), 26)}
+  --normalisation NAME    what lengths are divided by
+${terms(NORMALISATIONS.map(({ name, meaning }) => [`  ${name}`, `${name === FIGURE_SCALE.normalisation ? "(default) " : ""}${meaning}`]), 26)}  --epsilon N             ε of the coverages in that unit (default ${FIGURE_SCALE.epsilon})
+  --by size,type          also how the true primitives fare by how large they are, or of which type
 
 All formats but the table carry the engine's version, the protocol and the SHA-256 of each file read.
 
@@ -71,24 +90,28 @@ Examples:
   fit4cad score Fit4CAD-main.zip
   fit4cad score dataset/test_set my_results/pointCloud_primitives_MINE --format csv > scores.csv
   fit4cad score . --protocol published --format json | jq '.[].mean.DSC'
+  fit4cad score . --protocol spfn,parsenet,pq --measures all --by size,type
 
 Exit code: 0 all scored, 1 some input unusable, 2 called wrongly.
 `;
 
-const generate = () => `fit4cad generate PART [--seed N] [--spacing S] [--noise σ] [--outliers f] [--missing f] [--imperfect]
-                      [--name NAME] [--out DIR]
+/**
+ * A sentence as it goes on after a colon.
+ * @param {string} sentence
+ */
+function lower(sentence) {
+  return /^[A-Z][a-z]/.test(sentence) ? sentence.charAt(0).toLowerCase() + sentence.slice(1) : sentence;
+}
+
+const generate = () => `fit4cad generate PART ${SAMPLE_OPTIONS.map(({ name }) => `[--${name} N]`).join(" ")}
+                      [--imperfect] [--name NAME] [--out DIR]
 fit4cad generate --list
 
-Makes a CAD-like part with its ground truth: the four files of a Fit4CAD model. The same options
-always give the same files. S and σ are shares of the diagonal of the part's bounding box.
+Makes a CAD-like part with its ground truth: the files of a Fit4CAD model. The same options always
+give the same files. The diagonal is that of the part's bounding box.
 
   --list        the parts, with what each is good for
-  --seed N      of everything random (default 1)
-  --spacing S   distance between neighbouring points (default that of the benchmark's clouds)
-  --noise σ     standard deviation of the noise added to each coordinate
-  --outliers f  points of no primitive for each point of the part, 0 to 1
-  --missing f   share of the points cut away in balls and half-spaces, 0 to 0.95
-  --imperfect   also a submission that is wrong in common ways, so that there is something to score
+${terms(SAMPLE_OPTIONS.map((info) => [`--${info.name} N`, `${info.explanation} ${capitalised(rangeOf(info))}.`]), 16)}  --imperfect   also a submission that is wrong in common ways, so that there is something to score
   --name NAME   what the model is called (default: as its part)
   --out DIR     where the files go (default: the current folder); made if missing
 
@@ -96,23 +119,25 @@ Example:
   fit4cad generate flange --noise 0.001 --out demo && fit4cad score demo --self
 `;
 
-async function fit() {
-  return `fit4cad fit --method ht|pg [--out DIR] [--format table|json] [--seed N] [parameters] PATH…
+const fit = () => `fit4cad fit --method ${FITTER_NAMES} [--out DIR] [--format table|json] [--seed N] [parameters] PATH…
 
 Finds the primitives of every cloud in the given files, folders and zips: which points make up each,
-and its surface. Only the clouds (PC14.txt) are read; truth and submissions beside them are not.
+and its surface. Only the clouds are read; truth and submissions beside them are not.
 
-  --method ht     HT: votes in the space of a surface's parameters, a Hough transform
-  --method pg     PG: growing from neighbourhoods
-  --out DIR       writes each model's primitives, parametric and implicit file, in the folders
+${terms(FITTERS.map(({ name, title, fullName, meaning }) => [`--method ${name}`, `${title}, ${fullName}. ${meaning}`]), 18)}  --out DIR       writes each model's primitives, parametric and implicit file, in the folders
                   DIR/pointCloud_primitives_HT and so on, where fit4cad score finds them
   --format table  (default) one row per model
   --format json   (--json) one entry per model: name, points, seconds of fitting (without reading),
-                  and type, points and mean fitting error of each primitive
+                  type, points and mean fitting error of each primitive, and how many of each type; error,
+                  where its files could not be written
   --seed N        of everything random (default 1); the same seed gives the same primitives
+  --single        instead of a method: the whole cloud is one primitive, or each segment that is given
+                  with it (a column of labels, PC14_primitives.txt); says the type, the distances, the
+                  best of another type and how many times as far the points are from that. With --out
+                  also the answer columns of SHREC 2022, in DIR/shrec2022
 
 Parameters, with the values allowed and the default:
-${await parameterHelp()}
+${parameterHelp()}
 Examples:
   fit4cad fit --method ht PC14.txt
   fit4cad fit --method pg --out found Fit4CAD-main.zip && fit4cad score Fit4CAD-main.zip found
@@ -120,7 +145,45 @@ Examples:
 
 Exit code: 0 all fitted, 1 some input unusable, 2 called wrongly.
 `;
-}
+
+const exportFiles = () => `fit4cad export PATH… --to FORM[,FORM…] [--method NAME] [--out DIR] [--as …]
+
+Writes the truth and every submission found in the given files, folders and zips in other forms, with
+or without a truth beside them: DIR/PC14_HT.ply and so on.
+
+${terms([...[...EXPORTS, STEP_FORM].map(({ name, title, meaning }) => /** @type {const} */ ([`--to ${name}`, `${title}. ${meaning}`])), ["--to fit4cad", "The benchmark's own four files, in the folders of the public test set."]], 18)}  --method NAME   only of that method; truth for the ground truth
+  --out DIR       where the files go (default: the current folder); made if missing
+  --as …          as for fit4cad score
+
+Examples:
+  fit4cad export labelled.ply --to csv,glb
+  fit4cad fit --method ht --out found scan.xyz && fit4cad export scan.xyz found --to ply,csv --out found
+
+Exit code: 0 all written, 1 some input unusable, 2 called wrongly.
+`;
+
+const importParts = async () => `fit4cad import PATH… [--points N | --spacing MM] [options] [--out DIR] [--test SHARE] [--format table|json]
+
+Makes a Fit4CAD model of every STEP file (AP203, AP214, AP242; ${CALLED}, also packed by
+gzip) in the given files, folders and zips: points that lie exactly on its faces, in millimetres, and
+the truth of which face each is of, in the benchmark's four files. A file that cannot be read does not
+keep the others from being made; what is left out of a part is told.
+
+${terms((await loadCad()).importOptions().map(({ name, value, explanation }) => [`--${name}${value.kind === "number" ? " N" : value.kind === "choice" ? ` ${value.words[0] ?? ""}` : ""}`, explanation]), 18)}${terms(WEAR.map((info) => [`--${info.name} N`, `${info.explanation} ${capitalised(rangeOf(info))}.`]), 18)}  --out DIR       where the files go (default: the current folder); made if missing
+  --test SHARE    splits the models into DIR/training_set and DIR/test_set, by their names and the seed
+  --format table  (default) one row per model
+  --format json   (--json) for each model its source and files with their SHA-256, points, primitives of
+                  each type, and what became of every face
+
+Of more than one model, or with --test, DIR/manifest.json says how the set was made, with the SHA-256
+of every source and result.
+
+Examples:
+  fit4cad import bracket.step --points 20000 --out bracket && fit4cad score bracket --self
+  fit4cad import parts --spread random --noise 0.001 --test 0.2 --out set
+
+Exit code: 0 all imported, 1 some input unusable, 2 called wrongly.
+`;
 
 const check = () => `fit4cad check PATH… [--format table|json] [--write DIR]
 
@@ -168,4 +231,23 @@ Example:
 Exit code: 0 all counted, 1 some input unusable, 2 called wrongly.
 `;
 
-export const HELP = { fit4cad, score, fit, check, stats, generate };
+/** The formats of results, from a column on. @param {number} column */
+function formatHelp(column) {
+  const entries = Object.entries(FORMATS).map(([name, { what }], place) => {
+    const short = place === 0 ? "(default) " : name === "json" ? "(--json) " : "";
+    return /** @type {const} */ ([`--format ${name}`, short + what]);
+  });
+  return terms(entries, column);
+}
+
+/** The endings after the first. @param {readonly string[]} endings */
+function others([, ...more]) {
+  return more.length === 0 ? "" : ` (also ${more.map((ending) => `.${ending}`).join(" ")})`;
+}
+
+/** @param {string} text */
+function capitalised(text) {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+export const HELP = { fit4cad, score, fit, export: exportFiles, import: importParts, check, stats, generate };

@@ -1,125 +1,166 @@
 // Files, folders and zips as one list of things that can be read when their turn comes.
 
-import { readFileSync, readdirSync, realpathSync, statSync } from "node:fs";
+import { closeSync, openSync, readFileSync, readSync, readdirSync, realpathSync, statSync } from "node:fs";
 import { join } from "node:path";
-import { listZip } from "./zip.mjs";
+import { Damaged } from "../../www/shared/zip/source.mjs";
+import { STREAMED, isZip, listZip } from "../../www/shared/zip/zip.mjs";
+import { whyUnread } from "./reasons.mjs";
+
+/**
+ * A file, or an entry of a zip.
+ * @typedef {object} File
+ * @property {string} path
+ * @property {number} size in bytes
+ * @property {() => Uint8Array} read gives its content; throws with a reason for the reader
+ */
+
+/** @typedef {import("../engine/engine.js").DiagnosticInfo} Diagnostic */
 
 /** More files than any collection of point clouds has: a wrong folder was given. */
 const MOST_FILES = 200_000;
-/** Largest file that is read at all; the engine has finer limits of its own. */
-const MOST_BYTES = 1 << 30;
 
 /**
- * Lists what lies behind the paths, sorted, each file once: `{ files, diagnostics }`, where a file
- * is `{ path, read() }` and `read` gives its bytes or throws.
+ * Lists what lies behind the paths, sorted, each file once, and tells what could not be listed.
+ * Nothing is read but the directories of zips.
+ * @param {readonly string[]} paths
  */
 export function collect(paths) {
-  const files = new Map();
-  const diagnostics = [];
+  /** @type {Listing} */
+  const listing = { files: new Map(), diagnostics: [] };
   for (const path of paths) {
-    try {
-      visit(path, files, diagnostics);
-    } catch (error) {
-      diagnostics.push(unusable(path, reason(error)));
-    }
+    attempt(path, listing);
   }
-  return { files: [...files.values()].sort(byPath), diagnostics };
+  return { files: [...listing.files.values()].sort(byPath), diagnostics: listing.diagnostics };
 }
 
-/** The content of a model's files for `Model.read`; what cannot be read is told and left out. */
-export function readInputs(files, byPath, diagnostics) {
-  const inputs = [];
-  for (const { path, role, method } of files) {
-    try {
-      inputs.push({ path, role, method, bytes: byPath.get(path).read() });
-    } catch (error) {
-      diagnostics.push(unusable(path, reason(error)));
-    }
-  }
-  return inputs;
-}
+/** @typedef {{ files: Map<string, File>, diagnostics: Diagnostic[] }} Listing by what tells one file from another */
 
-/** A diagnostic in the engine's form about a whole file. */
+/**
+ * A diagnostic in the engine's form about a whole file.
+ * @param {string} file
+ * @param {string} message
+ * @param {string} hint
+ * @param {Diagnostic["severity"]} severity
+ * @returns {Diagnostic}
+ */
 export function unusable(file, message, hint = "", severity = "error") {
   return { severity, file, message, found: "", expected: "", hint };
 }
 
-/** What the operating system said, in words. */
-export function reason(error) {
-  const words = {
-    ENOENT: "there is no such file or folder",
-    EACCES: "reading it is not permitted",
-    EPERM: "reading it is not permitted",
-    ELOOP: "it is a loop of links",
-    EISDIR: "it is a folder",
-  };
-  return words[error.code] ?? error.message;
+/**
+ * @param {string} path
+ * @param {Listing} listing
+ */
+function attempt(path, listing) {
+  try {
+    visit(path, listing);
+  } catch (error) {
+    listing.diagnostics.push(unusable(path, whyUnread(error)));
+  }
 }
 
-function visit(path, files, diagnostics) {
+/**
+ * @param {string} path
+ * @param {Listing} listing
+ */
+function visit(path, listing) {
   const about = statSync(path);
   if (about.isDirectory()) {
-    visitFolder(path, files, diagnostics);
+    visitFolder(path, listing);
     return;
   }
   if (!about.isFile()) {
     throw new Error("it is neither a file nor a folder");
   }
   const key = realpathSync(path);
-  if (files.has(key)) {
+  if (listing.files.has(key)) {
     return;
   }
-  if (files.size >= MOST_FILES) {
+  if (listing.files.size >= MOST_FILES) {
     throw new Error(`there are more than ${MOST_FILES} files`);
   }
-  const read = () => readWhole(path, about.size);
-  if (!/\.zip$/i.test(path)) {
-    files.set(key, { path, read });
-    return;
-  }
-  const listing = listZip(read());
-  for (const entry of listing.entries) {
-    files.set(`${key}\0${entry.path}`, { path: `${path}/${entry.path}`, read: entry.read });
-  }
-  for (const { path: at, message } of listing.problems) {
-    diagnostics.push(unusable(join(path, at), message));
+  if (isZip(path)) {
+    visitZip(path, key, about.size, listing);
+  } else {
+    listing.files.set(key, { path, size: about.size, read: readable(() => readFileSync(path)) });
   }
 }
 
-function visitFolder(folder, files, diagnostics) {
-  const entries = readdirSync(folder, { withFileTypes: true });
+/**
+ * @param {string} path
+ * @param {string} key
+ * @param {number} size
+ * @param {Listing} listing
+ */
+function visitZip(path, key, size, { files, diagnostics }) {
+  const { entries, problems } = listZip({ size, bytes: (from, to) => readPart(path, from, to) }, STREAMED);
   for (const entry of entries) {
+    files.set(`${key}\0${entry.path}`, { ...entry, path: `${path}/${entry.path}`, read: readable(entry.read) });
+  }
+  for (const { path: at, severity, message } of problems) {
+    diagnostics.push(unusable(`${path}/${at}`, message, "", severity));
+  }
+}
+
+/**
+ * @param {string} folder
+ * @param {Listing} listing
+ */
+function visitFolder(folder, listing) {
+  for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const path = join(folder, entry.name);
     // Links to folders are not followed, so that no loop can arise; nor are hidden folders, which
     // are a tool's own affair.
     const skipped = entry.isDirectory() && entry.name.startsWith(".");
     const linked = entry.isSymbolicLink() && isFolder(path);
-    if (skipped || linked) {
-      continue;
-    }
-    try {
-      visit(path, files, diagnostics);
-    } catch (error) {
-      diagnostics.push(unusable(path, reason(error)));
+    if (!skipped && !linked) {
+      attempt(path, listing);
     }
   }
 }
 
+/** @param {string} path */
 function isFolder(path) {
+  return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
+}
+
+/**
+ * The same with a reason for the reader where it fails.
+ * @param {() => Uint8Array} read
+ */
+function readable(read) {
+  return () => {
+    try {
+      return read();
+    } catch (error) {
+      throw error instanceof Damaged ? error : new Error(whyUnread(error));
+    }
+  };
+}
+
+/**
+ * @param {string} path
+ * @param {number} from
+ * @param {number} to
+ */
+function readPart(path, from, to) {
+  const bytes = new Uint8Array(to - from);
+  const file = openSync(path, "r");
   try {
-    return statSync(path).isDirectory();
-  } catch {
-    return false;
+    for (let filled = 0; filled < bytes.length; ) {
+      const got = readSync(file, bytes, filled, bytes.length - filled, from + filled);
+      if (got === 0) {
+        throw new Error("it became shorter while it was read");
+      }
+      filled += got;
+    }
+  } finally {
+    closeSync(file);
   }
+  return bytes;
 }
 
-function readWhole(path, size) {
-  if (size > MOST_BYTES) {
-    throw new Error(`it is larger than ${MOST_BYTES} bytes`);
-  }
-  return readFileSync(path);
-}
-
+/** @param {File} a @param {File} b */
 function byPath({ path: a }, { path: b }) {
   return a < b ? -1 : a > b ? 1 : 0;
 }

@@ -1,31 +1,73 @@
 // From a list of files to models, grouped by their names and read one at a time.
 
-import { readInputs, unusable } from "./inputs.mjs";
+import { isStop, loadEngineApart } from "./engine.mjs";
+import { unusable } from "./inputs.mjs";
 
-/** Whether a placed file is the cloud or of the ground truth, and no method's. */
+/** @typedef {import("./engine.mjs").Engine} Engine */
+/** @typedef {import("./inputs.mjs").File} File */
+/** @typedef {import("../engine/engine.js").Model} Model */
+/** @typedef {import("../engine/engine.js").PlacedFile} PlacedFile */
+/** @typedef {import("../engine/engine.js").Override} Override */
+/** @typedef {PlacedFile & File} ModelFile */
+
+/**
+ * @typedef {object} Choice
+ * @property {(file: PlacedFile) => boolean} [wanted] which files are read; all where it is left out
+ * @property {Record<string, Override>} [overrides] by path, what is known better than a name tells
+ * @property {(text: string) => void} [progress]
+ */
+
+/**
+ * Whether a placed file is the cloud or of the ground truth, and no method's.
+ * @param {PlacedFile} file
+ */
 export const isOfTruth = ({ method }) => method === undefined;
 
 /**
- * Reads each model among the files, in the engine's order, hands it to `visit(model, inputs, place)`
- * with what it was read from and its place in the row for the terminal, and releases it. Only the
- * files that `wanted` says yes to are read; the overrides say, by path, what is known better about a
- * file than its name tells. Gives the diagnostics of files that belong to no model or could not be
- * read. What `visit` throws ends the run.
+ * Reads each model among the files, in the engine's order, hands it to `visit(model, files, place)`
+ * with the files it was read from, its place in the row for the terminal and the engine it is in, and
+ * releases it. Gives the diagnostics of files that belong to no model, and of models that the engine
+ * could not bear: the others get a fresh one, and the last is given back, fit for what is to come.
+ * Anything else that `visit` throws ends the run.
+ * @param {Engine} engine
+ * @param {readonly File[]} files
+ * @param {Choice} choice
+ * @param {(model: Model, files: readonly ModelFile[], place: string, engine: Engine) => void} visit
  */
-export function eachModel(engine, files, { wanted = () => true, overrides = {}, progress = () => {} }, visit) {
+export async function eachModel(engine, files, { wanted = () => true, overrides = {}, progress = () => {} }, visit) {
   const grouping = engine.group(files.map(({ path }) => path), overrides);
   const diagnostics = grouping.unplaced.map(({ path, reason }) => unusable(path, reason, "", "warning"));
   const byPath = new Map(files.map((file) => [file.path, file]));
-  grouping.models.forEach((group, index) => {
-    const place = `${index + 1} of ${grouping.models.length}: ${group.name}`;
+  let able = engine;
+  for (const [index, { name, files: placed }] of grouping.models.entries()) {
+    const place = `${index + 1} of ${grouping.models.length}: ${name}`;
     progress(place);
-    const inputs = readInputs(group.files.filter(wanted), byPath, diagnostics);
-    const model = engine.Model.read(group.name, inputs);
+    const own = placed.filter(wanted).flatMap((file) => {
+      const content = byPath.get(file.path);
+      return content ? [{ ...content, ...file }] : [];
+    });
     try {
-      visit(model, inputs, place);
-    } finally {
-      model.free();
+      visitModel(able, name, own, (model) => visit(model, own, place, able));
+    } catch (error) {
+      if (!isStop(error)) {
+        throw error;
+      }
+      diagnostics.push(unusable(name, "the engine ran out of memory, or failed, on this model", "Thin the cloud, or score fewer results at a time"));
+      able = (await loadEngineApart()).engine;
     }
-  });
-  return diagnostics;
+  }
+  return { diagnostics, engine: able };
+}
+
+/**
+ * @param {Engine} engine
+ * @param {string} name
+ * @param {readonly ModelFile[]} files
+ * @param {(model: Model) => void} visit
+ */
+function visitModel(engine, name, files, visit) {
+  const model = engine.Model.read(name, [...files]);
+  visit(model);
+  // After a failure there is nothing left to be released from.
+  model.free();
 }

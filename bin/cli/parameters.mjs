@@ -1,75 +1,76 @@
 // The fitters' parameters as options, out of the engine's table.
 
-import { NotBuilt, loadEngine } from "./engine.mjs";
+import { FITTERS } from "../../www/generated/declared/fitters.js";
+import { terms } from "./terms.mjs";
 import { UsageError, number } from "./usage.mjs";
 
-export const METHODS = ["ht", "pg"];
+/** @typedef {import("../engine/engine.js").FitMethod} FitMethod */
+/** @typedef {import("../engine/engine.js").ParameterInfo} ParameterInfo */
+/** @typedef {{ info: ParameterInfo, flag: string, methods: FitMethod[] }} Option */
 
-const WIDTH = 96;
-const INDENT = " ".repeat(6);
 
-/** Every parameter of any method, each once, as `{ info, flag, methods }`. */
-export function parameterOptions(engine) {
+export const METHODS = FITTERS.map(({ name }) => name);
+
+/** Every parameter of any method, each once. */
+export function parameterOptions() {
+  /** @type {Map<string, Option>} */
   const options = new Map();
-  for (const method of METHODS) {
-    for (const info of engine.fitParameters(method)) {
+  for (const { name, parameters } of FITTERS) {
+    for (const info of parameters) {
       const known = options.get(info.name) ?? { info, flag: flagOf(info.name), methods: [] };
-      options.set(info.name, { ...known, methods: [...known.methods, method] });
+      options.set(info.name, { ...known, methods: [...known.methods, name] });
     }
   }
   return [...options.values()];
 }
 
-/** The values given among those of `util.parseArgs`, by parameter name. */
+/**
+ * The values given among those of `util.parseArgs`, by parameter name.
+ * @param {readonly Option[]} options
+ * @param {FitMethod} method
+ * @param {Readonly<Record<string, string | boolean | undefined>>} values
+ */
 export function givenParameters(options, method, values) {
+  /** @type {Record<string, number>} */
   const given = {};
   for (const { info, flag, methods } of options) {
-    if (values[flag] === undefined) {
+    const value = values[flag];
+    if (typeof value !== "string") {
       continue;
     }
     if (!methods.includes(method)) {
       throw new UsageError(`--${flag} is of method ${methods.join(", ")}; ${method} has no such parameter`);
     }
     const { minimum: least, maximum: most, whole } = info;
-    given[info.name] = number(flag, values[flag], { least, most, whole });
+    const parsed = number(flag, value, { least, most, whole });
+    if (parsed !== undefined) {
+      given[info.name] = parsed;
+    }
   }
   return given;
 }
 
 /** The part of `fit --help` that lists the parameters. */
-export async function parameterHelp() {
-  try {
-    return parameterOptions(await loadEngine()).map(describe).join("");
-  } catch (error) {
-    if (error instanceof NotBuilt) {
-      return "  (listed once the engine is built: npm run build)\n";
-    }
-    throw error;
-  }
+export function parameterHelp() {
+  return parameterOptions().map(describe).join("");
 }
 
+/** @param {Option} option */
 function describe({ info, flag, methods }) {
-  const kind = info.whole ? "whole number, " : "";
-  const unit = info.unit ? ` ${info.unit}` : "";
-  const range = `${kind}${info.minimum} to ${info.maximum}${unit}, default ${info.default}`;
   const only = methods.length < METHODS.length ? `; ${methods.join(", ").toUpperCase()} only` : "";
-  return `  --${`${flag} N`.padEnd(24)}${range}${only}\n${wrap(info.explanation)}\n`;
+  const head = `  --${`${flag} N`.padEnd(24)}${rangeOf(info)}${only}\n`;
+  return head + terms([["", info.explanation]], 6);
 }
 
-function wrap(text) {
-  const lines = [INDENT];
-  for (const word of text.split(" ")) {
-    const last = lines.length - 1;
-    const joined = lines[last] === INDENT ? INDENT + word : `${lines[last]} ${word}`;
-    if (joined.length <= WIDTH) {
-      lines[last] = joined;
-    } else {
-      lines.push(INDENT + word);
-    }
-  }
-  return lines.join("\n");
+/**
+ * The values that an option takes, and its default.
+ * @param {ParameterInfo} info
+ */
+export function rangeOf({ whole, minimum, maximum, unit, default: initial }) {
+  return `${whole ? "whole number, " : ""}${minimum} to ${maximum}${unit && ` ${unit}`}, default ${initial}`;
 }
 
+/** @param {string} name */
 function flagOf(name) {
   return name.replaceAll("_", "-");
 }

@@ -1,56 +1,71 @@
 // `fit4cad score`.
 
-import { FORMATS } from "../formats/index.mjs";
+import { PROTOCOLS } from "../../www/generated/declared/protocols.js";
+import { FORMATS } from "../../www/shared/formats/index.mjs";
+import { scoresOf } from "../../www/shared/formats/measures.mjs";
 import { corrections } from "./corrections.mjs";
-import { inOneLine } from "./diagnostics.mjs";
+import { inOneLine, tell } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
-import { evaluate } from "./evaluate.mjs";
+import { evaluate, scoredBy } from "./evaluate.mjs";
+import { FIELD_OPTIONS, fieldOf, scoreField } from "./field.mjs";
 import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect } from "./inputs.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, readArguments } from "./usage.mjs";
 
-const OPTIONS = {
+const OPTIONS = /** @type {const} */ ({
   protocol: { type: "string", default: "definition" },
+  ...FIELD_OPTIONS,
   ...FORMAT_OPTIONS,
   self: { type: "boolean", default: false },
-  as: { type: "string", multiple: true, default: [] },
-};
+  as: { type: "string", multiple: true, default: /** @type {string[]} */ ([]) },
+});
 
-/** Scores what the arguments name; gives the exit code. */
+const NAMES = /** @type {(keyof typeof FORMATS)[]} */ (Object.keys(FORMATS));
+
+/**
+ * Scores what the arguments name; gives the exit code.
+ * @param {readonly string[]} args
+ */
 export async function score(args) {
   const { values, positionals } = readArguments(args, OPTIONS);
   if (positionals.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
   }
-  const protocol = choice("protocol", values.protocol, ["definition", "published"]);
-  const format = formatOf(values, Object.keys(FORMATS));
+  const field = fieldOf(values);
+  const format = formatOf(values, NAMES);
   const overrides = corrections(values.as);
   const engine = await loadEngine();
 
   progress.show("looking for files");
   const inputs = collect(positionals);
   refuseUnknown(Object.keys(overrides), inputs.files);
-  const { results, diagnostics } = evaluate(engine, inputs.files, {
-    protocol,
+  const how = {
     overrides,
     self: values.self,
-    progress: (text) => progress.show(`scoring ${text}`),
-  });
+    progress: /** @param {string} text */ (text) => progress.show(`scoring ${text}`),
+  };
+  if (field) {
+    return scoreField(engine, inputs, { ...how, field, format });
+  }
+  const protocol = choice("protocol", values.protocol, PROTOCOLS.map(({ name }) => name));
+  const { results, diagnostics, engine: able } = await evaluate(engine, inputs.files, { ...how, report: scoredBy(protocol) });
   progress.clear();
 
   const problems = [...inputs.diagnostics, ...diagnostics];
-  for (const problem of shownOnTerminal(problems, results, format)) {
-    warn(inOneLine(problem));
-  }
+  tell(able, format === "json" ? besides(able, problems, results) : problems);
   if (results.length === 0) {
     warn("fit4cad score: nothing could be scored. A score needs a cloud, its truth and a submission; see fit4cad score --help.");
   }
-  await print(FORMATS[format](results));
+  await print(FORMATS[format].write(results, able.summarise(scoresOf(results))));
   const failed = results.length === 0 || problems.some(({ severity }) => severity === "error");
   return failed ? 1 : 0;
 }
 
+/**
+ * @param {readonly string[]} corrected paths
+ * @param {readonly import("./inputs.mjs").File[]} files
+ */
 function refuseUnknown(corrected, files) {
   const known = new Set(files.map(({ path }) => path));
   for (const path of corrected.filter((candidate) => !known.has(candidate))) {
@@ -58,11 +73,14 @@ function refuseUnknown(corrected, files) {
   }
 }
 
-/** JSON holds the diagnostics of its reports itself; only the others are left for the terminal. */
-function shownOnTerminal(problems, results, format) {
-  if (format !== "json") {
-    return problems;
-  }
-  const told = new Set(results.flatMap(({ diagnostics }) => diagnostics.map(inOneLine)));
-  return problems.filter((problem) => !told.has(inOneLine(problem)));
+/**
+ * JSON holds the diagnostics of its reports itself; only the others are left for the terminal.
+ * @param {import("./engine.mjs").Engine} engine
+ * @param {readonly import("./inputs.mjs").Diagnostic[]} problems
+ * @param {readonly import("../../www/shared/formats/results.mjs").Result[]} results
+ */
+function besides(engine, problems, results) {
+  const told = new Set(results.flatMap(({ diagnostics }) => inOneLine(engine, diagnostics)));
+  const lines = inOneLine(engine, problems);
+  return problems.filter((_, at) => !told.has(lines[at] ?? ""));
 }

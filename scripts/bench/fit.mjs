@@ -10,6 +10,10 @@ import { motion } from "./fit/motion.mjs";
 export const name = "fit";
 export const about = "fitting bare clouds with HT and PG, one thread, processor time";
 
+/**
+ * @param {import("../lib/bench.mjs").Bench} bench
+ * @param {import("../bench.mjs").Options} options
+ */
 export async function measure(bench, { models: most, quick }) {
   const known = models(bench.engine);
   if (!known.real) {

@@ -11,9 +11,11 @@ export const about = "wasm as served";
 const MODULES = [
   { label: "scorer", path: "www/generated/scorer/scorer_bg.wasm", most: 350 },
   { label: "whole engine", path: "www/generated/engine/engine_bg.wasm" },
+  { label: "STEP", path: "www/generated/cad/cad_bg.wasm" },
   { label: "view", path: "www/generated/view/view_bg.wasm" },
 ];
 
+/** @param {import("../lib/bench.mjs").Bench} bench */
 export function measure(bench) {
   for (const { label, path, most } of MODULES) {
     const bytes = readFileSync(join(ROOT, path));

@@ -56,6 +56,7 @@ export async function ensureBrowser() {
   }
 }
 
+/** @param {string} path */
 function isExecutable(path) {
   try {
     accessSync(path, constants.X_OK);
@@ -65,11 +66,14 @@ function isExecutable(path) {
   }
 }
 
-/** A way of installing may fail; the next one is tried. */
+/**
+ * A way of installing may fail; the next one is tried.
+ * @param {() => Promise<unknown>} install
+ */
 async function attempt(install) {
   try {
     await install();
   } catch (error) {
-    console.error(error.message);
+    console.error(error instanceof Error ? error.message : error);
   }
 }

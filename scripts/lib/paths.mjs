@@ -12,11 +12,15 @@ const executable = process.platform === "win32" ? ".exe" : "";
 /** Tools built for this checkout alone; nothing is installed outside it. */
 export const TOOLS = join(ROOT, ".tools");
 
+/** @param {string} name */
 export function tool(name) {
   return join(TOOLS, "bin", name + executable);
 }
 
-/** A command that npm put into the checkout, as the script to hand to Node. */
+/**
+ * A command that npm put into the checkout, as the script to hand to Node.
+ * @param {string} script
+ */
 export function npmCommand(script) {
   return join(ROOT, "node_modules", script);
 }

@@ -8,7 +8,10 @@ import { BROWSER_FLAGS, ensureBrowser, findBrowser } from "./browser.mjs";
 import { ROOT, npmCommand } from "./paths.mjs";
 import { Plain } from "./run.mjs";
 
-/** Serves www/dist and starts a browser while `body({ address, browser })` runs. */
+/**
+ * Serves www/dist and starts a browser while `body({ address, browser })` runs.
+ * @param {(served: { address: string, browser: import("@playwright/test").Browser }) => Promise<void>} body
+ */
 export async function withServedPage(body) {
   await ensureBrowser();
   const port = await freePort();
@@ -31,6 +34,7 @@ export async function withServedPage(body) {
   }
 }
 
+/** @param {string} address */
 async function answered(address) {
   for (let attempt = 0; attempt < 100; attempt += 1) {
     try {
@@ -43,11 +47,12 @@ async function answered(address) {
   throw new Plain("The page's server did not answer.");
 }
 
+/** @returns {Promise<number>} */
 function freePort() {
   return new Promise((resolve) => {
     const probe = createServer().listen(0, "127.0.0.1", () => {
-      const { port } = probe.address();
-      probe.close(() => resolve(port));
+      const address = probe.address();
+      probe.close(() => resolve(typeof address === "object" && address ? address.port : 0));
     });
   });
 }

@@ -1,5 +1,7 @@
 // Steps of the test run: each timed, its tests counted from what its runner prints.
 
+import { Failed, marked, print } from "./run.mjs";
+
 /** How the runners say what came of the tests: cargo and wasm-bindgen, node:test, Playwright. */
 const COUNTS = {
   cargo: {
@@ -23,9 +25,27 @@ const COUNTS = {
 // eslint-disable-next-line no-control-regex -- terminal colours
 const COLOUR = /\u001b\[[0-9;]*m/g;
 
-/** Sums what a runner prints. */
+/** @typedef {keyof typeof COUNTS} Runner */
+
+/**
+ * @typedef {object} Step
+ * @property {string} name
+ * @property {"rust" | "page"} lane two lanes go side by side, in each the steps one after the other
+ * @property {() => Promise<string | void>} run gives the output to count tests in
+ * @property {Runner} [runner]
+ * @property {readonly string[]} [needs] names of the steps without which it is not run
+ */
+
+/** @typedef {{ name: string, outcome: string, seconds: number, counts?: ReturnType<typeof count> }} StepResult */
+
+/**
+ * Sums what a runner prints.
+ * @param {Runner} runner
+ * @param {string} output
+ */
 export function count(runner, output) {
   const plain = output.replace(COLOUR, "");
+  /** @param {RegExp} pattern */
   const sum = (pattern) =>
     [...plain.matchAll(pattern)].reduce((total, [, number]) => total + Number(number), 0);
   const { passed, failed, skipped } = COUNTS[runner];
@@ -33,42 +53,64 @@ export function count(runner, output) {
 }
 
 /**
- * Runs the steps in order. A step is `{ name, run, runner?, needs? }`; `run` gives the output to
- * count tests in. A failing step does not keep others from running, save those that need it.
+ * Runs the steps of each lane in order, the lanes side by side. A failing step does not keep others
+ * from running, save those that need it; of the steps that are not run at all nothing is needed.
+ * @param {readonly Step[]} steps
  */
 export async function runSteps(steps) {
-  const results = [];
-  for (const step of steps) {
-    const missing = (step.needs ?? []).find((name) =>
-      results.some((result) => result.name === name && result.outcome !== "ok"),
-    );
-    if (missing) {
-      results.push({ name: step.name, outcome: `not run: ${missing} failed`, seconds: 0 });
-      continue;
+  /** @type {Map<string, Promise<StepResult>>} */
+  const results = new Map();
+  const lanes = new Set(steps.map(({ lane }) => lane));
+  for (const lane of lanes) {
+    /** @type {Promise<unknown>} */
+    let before = Promise.resolve();
+    for (const step of steps.filter((step) => step.lane === lane)) {
+      const turn = before;
+      const start = () => runStep(step, results);
+      const result = turn.then(() => (lanes.size > 1 ? marked(`${lane} │ `, start) : start()));
+      results.set(step.name, result);
+      before = result;
     }
-    console.log(`\n── ${step.name}`);
-    const start = performance.now();
-    let outcome = "ok";
-    let output = "";
-    try {
-      output = (await step.run()) ?? "";
-    } catch (error) {
-      outcome = "failed";
-      output = error.output ?? "";
-      console.error(error.message);
-    }
-    const counts = step.runner ? count(step.runner, output) : undefined;
-    const nothing = counts && counts.passed + counts.failed + counts.skipped === 0;
-    if (outcome === "ok" && nothing) {
-      outcome = "failed";
-      console.error(`${step.name}: not one test was found`);
-    }
-    results.push({ name: step.name, outcome, counts, seconds: (performance.now() - start) / 1000 });
   }
-  return results;
+  return Promise.all(steps.map(({ name }) => /** @type {Promise<StepResult>} */ (results.get(name))));
 }
 
-/** Prints each step's result and duration, then the totals; gives whether all is well. */
+/**
+ * @param {Step} step
+ * @param {ReadonlyMap<string, Promise<StepResult>>} results
+ * @returns {Promise<StepResult>}
+ */
+async function runStep(step, results) {
+  for (const name of step.needs ?? []) {
+    const needed = await results.get(name);
+    if (needed && needed.outcome !== "ok") {
+      return { name: step.name, outcome: `not run: ${name} failed`, seconds: 0 };
+    }
+  }
+  print(`\n── ${step.name}`);
+  const start = performance.now();
+  let outcome = "ok";
+  let output = "";
+  try {
+    output = (await step.run()) ?? "";
+  } catch (error) {
+    outcome = "failed";
+    output = error instanceof Failed ? error.output : "";
+    print(String(error instanceof Error ? error.message : error));
+  }
+  const counts = step.runner ? count(step.runner, output) : undefined;
+  const nothing = counts && counts.passed + counts.failed + counts.skipped === 0;
+  if (outcome === "ok" && nothing) {
+    outcome = "failed";
+    print(`${step.name}: not one test was found`);
+  }
+  return { name: step.name, outcome, ...(counts ? { counts } : {}), seconds: (performance.now() - start) / 1000 };
+}
+
+/**
+ * Prints each step's result and duration, then the totals; gives whether all is well.
+ * @param {readonly StepResult[]} results
+ */
 export function summarise(results) {
   const total = { passed: 0, failed: 0, skipped: 0 };
   console.log("\n── summary");

@@ -1,5 +1,8 @@
 import AxeBuilder from "@axe-core/playwright";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import type { Page } from "@playwright/test";
+import { ROOT } from "./support/engine";
 import { expect, open, picture, rows, test } from "./support/test";
 
 async function expectNoFindings(page: Page, where: string): Promise<void> {
@@ -19,7 +22,7 @@ for (const scheme of ["light", "dark"] as const) {
       await expectNoFindings(page, `panel ${name}`);
       await picture(page, `panel-${name}-${scheme}`);
     }
-    for (const sheet of ["Add data", "What the protocols are", "Keyboard and help"]) {
+    for (const sheet of ["Add data", "What the protocols are", "Keyboard and help", "About"]) {
       await page.getByRole("button", { name: sheet }).click();
       await expect(page.getByRole("dialog")).toBeVisible();
       await expectNoFindings(page, sheet);
@@ -46,13 +49,34 @@ test("every panel fits a phone and a wall", async ({ page }) => {
   }
 });
 
+test("the page says what it is, how to cite it and where its source is read", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await open(page);
+  await page.setViewportSize({ width: 360, height: 740 });
+  await page.getByRole("button", { name: "Keyboard and help" }).press("Enter");
+  await page.getByRole("button", { name: /^About the playground/ }).press("Enter");
+  const about = page.getByRole("dialog", { name: "About" });
+  await expect(about).toBeVisible();
+  const engine = readFileSync(join(ROOT, "Cargo.toml"), "utf8").match(/^version = "(.+)"$/m)?.[1];
+  await expect(about.getByRole("status")).toHaveText(`Version ${engine}`);
+  await expect(about).toContainText("nothing is uploaded");
+  await expect(about).toContainText("Licensed under MIT or Apache-2.0");
+  await expect(about.getByRole("link", { name: "doi:10.1016/j.cag.2021.09.013" })).toHaveAttribute("href", "https://doi.org/10.1016/j.cag.2021.09.013");
+  const documentation = await about.getByRole("link", { name: "documented beside this page" }).getAttribute("href");
+  expect((await page.request.get(documentation ?? "")).ok()).toBe(true);
+  await expectNoFindings(page, "about, on a phone");
+  await about.getByRole("button", { name: "Copy BibTeX of the paper" }).press("Enter");
+  await expect(page.locator(".notice")).toContainText("BibTeX of the paper copied");
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain("@article{romanengo2022fit4cad,\n");
+});
+
 test("on a phone the header is two rows, and all of it is reached by keyboard in the order in which it stands", async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
   await open(page);
   const header = page.getByRole("banner");
   const height = (await header.boundingBox())?.height ?? Infinity;
   expect(height).toBeLessThan(80);
-  const boxes = await header.locator("a, button").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+  const boxes = await header.locator("a, button").filter({ visible: true }).evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
   const rowOf = (box: DOMRect) => Math.floor((box.y + box.height / 2) / (height / 2));
   expect(boxes.map(rowOf)).toEqual([0, 0, 0, 0, 1, 1, 1, 1, 1]);
   await page.getByRole("link", { name: "Skip to content" }).focus();

@@ -5,6 +5,7 @@ import { Model, type Role } from "../../bin/engine/engine.js";
 import { drop, writeAll } from "./support/drop";
 import { filesOf, type Fixture } from "./support/engine";
 import { expect, picture, test } from "./support/test";
+import { held } from "../../scripts/lib/input.mjs";
 
 /** The whole engine is fetched first. */
 const SLOW = 45_000;
@@ -26,7 +27,7 @@ function findingsIn(files: readonly Fixture[]): number {
   const roles: readonly Role[] = ["cloud", "primitives", "parametric", "implicit"];
   const truth = files.flatMap(({ path, text }) => {
     const role = roles.find((each) => path.startsWith(each === "cloud" ? "pointCloud/" : `pointCloud_${each}/`));
-    return role ? [{ path, role, bytes: new TextEncoder().encode(text) }] : [];
+    return role ? [held({ path, role }, new TextEncoder().encode(text))] : [];
   });
   const model = Model.read("PC2", truth);
   const { findings } = model.audit();
@@ -77,7 +78,8 @@ test("an audit finds the wrong form, shows its primitive and saves it corrected"
   const zip = unzipSync(new Uint8Array(await readFile(await download.path())));
   const text = (name: string) => new TextDecoder().decode(zip[name]);
   expect(Object.keys(zip).sort()).toEqual(["PC2_implicit.txt", "corrections.txt"]);
-  expect(text("corrections.txt")).toBe(`PC2, primitive ${primitive}: implicit form converted from the parametric form\n`);
+  expect(text("corrections.txt")).toMatch(/^Corrected by Fit4CAD engine \d+\.\d+\.\d+\.\n/);
+  expect(text("corrections.txt")).toContain(`\nPC2, primitive ${primitive}: implicit form converted from the parametric form\n`);
   const corrected = files.map((file) => (file.path === "pointCloud_implicit/PC2_implicit.txt" ? { ...file, text: text("PC2_implicit.txt") } : file));
   expect(findingsIn(corrected)).toBe(0);
 });

@@ -12,7 +12,7 @@ import { dropFiles } from "./support/sharing";
 const VERSION = run("--version").trim().split(" ")[1] ?? "";
 
 function run(...args: string[]): string {
-  return execFileSync(process.execPath, [join(ROOT, "bin/fit4cad"), ...args], { encoding: "utf8" });
+  return execFileSync(process.execPath, [join(ROOT, "bin/fit4cad.mjs"), ...args], { encoding: "utf8" });
 }
 
 async function save(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
@@ -40,7 +40,7 @@ test("every export downloads, and is what the command line gives for the same fi
     for (const needed of [VERSION, "published", ...files.map((file) => sha256(file.text))]) expect(text).toContain(needed);
     // The line that the page gives, run where the folder is.
     const line = ["score", "my results", "--protocol", "published", "--format", format];
-    expect(text).toBe(execFileSync(process.execPath, [join(ROOT, "bin/fit4cad"), ...line], { cwd: dirname(folder), encoding: "utf8" }));
+    expect(text).toBe(execFileSync(process.execPath, [join(ROOT, "bin/fit4cad.mjs"), ...line], { cwd: dirname(folder), encoding: "utf8" }));
   }
   await picture(page, "sheet-share-light");
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
@@ -87,7 +87,7 @@ test("the command of a sample makes and scores the same sample", async ({ page, 
   await expect(page.locator("table.fits tbody")).toContainText(/\d\.\d{4}/, { timeout: 45_000 });
   await page.getByRole("button", { name: "Share", exact: true }).click();
   const line = (await page.getByTestId("command").textContent()) ?? "";
-  expect(line).toContain(`fit4cad generate flange --seed 7 --noise 0.001 --imperfect --name ${name} --out ${name} && `);
+  expect(line).toContain(`fit4cad generate flange --noise 0.001 --seed 7 --imperfect --name ${name} --out ${name} && `);
   expect(line).toContain(` && fit4cad fit ${name} --method pg --smallest 12 --seed 1 --out fits && fit4cad score bracket ${name} fits`);
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   await page.getByRole("button", { name: "Copy as command" }).click();
@@ -97,7 +97,7 @@ test("the command of a sample makes and scores the same sample", async ({ page, 
   const { bytes } = await save(page, "Save CSV");
   const folder = test.info().outputPath("command");
   await mkdir(folder, { recursive: true });
-  const script = `fit4cad() { '${process.execPath}' '${join(ROOT, "bin/fit4cad")}' "$@"; }; ${line} --format csv`;
+  const script = `fit4cad() { '${process.execPath}' '${join(ROOT, "bin/fit4cad.mjs")}' "$@"; }; ${line} --format csv`;
   const out = execFileSync("bash", ["-c", script], { cwd: folder, encoding: "utf8" });
   const scored = out.slice(out.indexOf("model,method"));
   expect(scored).toBe(bytes.toString());

@@ -60,6 +60,8 @@ test("a first visit fetches at most 500 kB, and neither charts nor fitters befor
   expect(modules()).toHaveLength(2);
   await page.getByRole("tab", { name: "Fit", exact: true }).click();
   await expect(page.getByLabel("Tolerance", { exact: true })).toBeVisible();
-  expect(modules()).toHaveLength(3);
+  expect(modules()).toHaveLength(2);
+  await page.getByRole("tabpanel").getByRole("button", { name: /^Fit / }).click();
+  await expect.poll(modules).toHaveLength(3);
   await context.close();
 });

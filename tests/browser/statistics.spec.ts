@@ -26,7 +26,7 @@ function counted(parts: readonly string[]): DatasetStatistics {
 async function tableOf(page: Page, title: string): Promise<string[][]> {
   await page.getByRole("button", { name: `${title} as a table` }).click();
   const rows = page.getByRole("table", { name: title }).locator("tbody tr");
-  return rows.evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent ?? "")));
+  return rows.evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
 }
 
 test("the sets that are dropped are counted, drawn and read as tables", async ({ page }) => {

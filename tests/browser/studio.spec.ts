@@ -2,6 +2,8 @@ import { readFile } from "node:fs/promises";
 import AxeBuilder from "@axe-core/playwright";
 import type { Locator, Page } from "@playwright/test";
 import { unzipSync } from "fflate";
+import { FIRST, MAX_BLOCKS, type Block, type Case } from "../../www/app/studio/case";
+import { writeCase } from "../../www/app/studio/link/link";
 import { drop, writeAll } from "./support/drop";
 import { filesOf } from "./support/engine";
 import { expect, picture, rows, test } from "./support/test";
@@ -121,7 +123,7 @@ test("a case is composed, worn, cut, undone, sent, saved and scored", async ({ p
   await madeOf(page, halved.points);
   await expect(cuts(page)).toHaveCount(2);
   expect(await saveFiles(page)).toEqual(saved);
-  expect(Object.keys(saved).sort()).toEqual(["case.txt", "case_implicit.txt", "case_parametric.txt", "case_primitives.txt"]);
+  expect(Object.keys(saved).sort()).toEqual(["case.txt", "case_implicit.txt", "case_parametric.txt", "case_primitives.txt", "fit4cad.json"]);
 
   // On the scoring page it is a model like any other.
   await press(page, "Score and fit it");
@@ -216,6 +218,24 @@ async function madeAnew(page: Page): Promise<{ points: number; primitives: numbe
   await expect(page.getByLabel("Name", { exact: true })).toHaveValue("PC7-case");
   return made(page);
 }
+
+test("a link's case that takes long waits to be asked for, and says which engine it was made with", async ({ page }) => {
+  test.setTimeout(240_000);
+  // Spheres that nearly coincide: where each cuts every other takes minutes to follow.
+  const sphere = (at: number): Block => ({ operation: "add", shape: "sphere", sizes: [20 + at / 100], position: [at / 10, 0, 0], rotation: [0, 0, 0] });
+  const of: Case = { ...FIRST, base: { kind: "blocks", blocks: Array.from({ length: MAX_BLOCKS }, (_, at) => sphere(at)) }, sampling: { ...FIRST.sampling, spacing: 0.001 } };
+  await page.goto(`./?page=studio${writeCase({ of, engine: "0.0.1" })}`);
+  const offer = page.locator(".studio-offer");
+  await expect(offer).toContainText(/The case of this link takes .* to make: .*64 blocks/, { timeout: SLOW });
+  await expect(page.getByText(/The link was made with engine 0\.0\.1, this is engine \d/)).toBeVisible();
+  await expect(page.getByRole("button", { name: "Save files" })).toBeDisabled();
+  await picture(page, "studio-offer");
+  await accessible(page);
+  await offer.getByRole("button", { name: "Make it" }).click();
+  await expect(offer).toHaveCount(0);
+  await press(page, "Stop");
+  await expect(page.getByRole("alert")).toContainText("It was stopped.");
+});
 
 test("the studio fits a phone", async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });

@@ -4,6 +4,10 @@ import { pageModule } from "./page.mjs";
 
 const { advance, begin, redo, undo } = await pageModule("studio/history.ts");
 
+/**
+ * @param {string | number} state
+ * @param {string} [merge]
+ */
 const step = (state, merge) => ({ state, name: `make it ${state}`, ...(merge ? { merge } : {}) });
 
 test("what was done is undone and done again, step by step", () => {

@@ -4,10 +4,14 @@ import { pageModule } from "./page.mjs";
 
 const { labelling } = await pageModule("stage/colouring.ts");
 
-/** A segmentation of lists of points, with the distance of every listed point. */
+/**
+ * A segmentation of lists of points, with the distance of every listed point.
+ * @param {number[][]} lists
+ * @param {number[][]} distances
+ */
 function segmentation(lists, distances = lists) {
   const offsets = [0];
-  for (const list of lists) offsets.push(offsets.at(-1) + list.length);
+  for (const list of lists) offsets.push((offsets.at(-1) ?? 0) + list.length);
   return {
     primitives: lists.map((_, place) => ({ number: place + 1, type: ["Plane", "Cylinder", "Cone", "Sphere"][place] })),
     offsets: Uint32Array.from(offsets),
@@ -20,7 +24,11 @@ function segmentation(lists, distances = lists) {
 const TRUTH = [[0, 1, 2, 9], [2, 3, 4, 9], [4, 5, 0, 9]];
 const POINTS = 10;
 
-/** What a model shows whose submission lists the true primitives of these places, in this order. */
+/**
+ * What a model shows whose submission lists the true primitives of these places, in this order.
+ * @param {number[]} order
+ * @param {number[][]} extra
+ */
 function shown(order, extra = []) {
   const predictions = order.map((_, place) => ({ prediction: place + 1 }));
   const primitives = TRUTH.map((_, truth) => ({ truth: truth + 1, match: order.includes(truth) ? order.indexOf(truth) + 1 : null }));
@@ -36,6 +44,7 @@ function shown(order, extra = []) {
   };
 }
 
+/** @param {{ labels: Uint32Array, colours: unknown[] }} labelling */
 const seen = ({ labels, colours }) => Array.from(labels, (label) => colours[label]);
 
 test("a perfect prediction looks like the truth where primitives share points, in whatever order it lists them", () => {

@@ -6,17 +6,22 @@ import { fit4cad, folder, submitted } from "./support.mjs";
 
 const { commandLine } = await pageModule("export/command.ts");
 
+/** @param {object} [change] */
 const onScreen = (change) => ({ paths: [], samples: [], fits: [], corrections: {}, protocol: "definition", ...change });
 
-/** The arguments of each call of `fit4cad` in a line, as a POSIX shell understands it. */
+/**
+ * The arguments of each call of `fit4cad` in a line, as a POSIX shell understands it.
+ * @param {string} line
+ */
 function understood(line) {
   const script = `fit4cad() { for word in "$@"; do printf '%s\\0' "$word"; done; printf '\\n\\0'; }\n${line}`;
   const { stdout, stderr } = spawnSync("sh", ["-c", script], { encoding: "utf8" });
   assert.equal(stderr, "");
+  /** @type {string[][]} */
   const calls = [[]];
   for (const word of stdout.split("\0").slice(0, -1)) {
     if (word === "\n") calls.push([]);
-    else calls.at(-1).push(word);
+    else calls.at(-1)?.push(word);
   }
   return calls.slice(0, -1);
 }
@@ -39,7 +44,7 @@ test("a sample is made first, with what was said about it and nothing else", () 
   const worn = "flange-noise0.001-seed3";
   assert.deepEqual(understood(commandLine(onScreen({ samples, paths: ["mine/PC1.txt"] }))), [
     ["generate", "flange", "--imperfect", "--out", "flange"],
-    ["generate", "flange", "--seed", "3", "--noise", "0.001", "--imperfect", "--name", worn, "--out", worn],
+    ["generate", "flange", "--noise", "0.001", "--seed", "3", "--imperfect", "--name", worn, "--out", worn],
     ["score", "flange", worn, "mine"],
   ]);
 });
@@ -83,19 +88,23 @@ test("corrections made by hand are in the line, and the command line heeds them"
   const [[, ...words]] = understood(line);
   const options = words.slice(words.indexOf("--as"));
   const { code, out } = fit4cad("score", root, "--format", "json", ...options);
-  assert.deepEqual(JSON.parse(out).map(({ model, method }) => [model, method]), [["PC1", "a:b,c"]]);
+  /** @type {import("../../bin/engine/engine.js").Report[]} */
+  const reports = JSON.parse(out);
+  assert.deepEqual(reports.map(({ model, method }) => [model, method]), [["PC1", "a:b,c"]]);
   assert.equal(code, 0);
 });
 
 test("a correction that cannot be understood, or of no file, is a wrong call", (t) => {
   const root = folder(t, submitted("PC1", "HT"));
-  for (const [value, expected] of [
+  /** @type {[string, RegExp][]} */
+  const values = [
     ["role=cloud", /expected role=…/],
     ["role=sphere:x", /expected cloud, primitives/],
     ["colour=red:x", /before the colon/],
     ["model=100%:x", /%25/],
     ["role=cloud:no such file", /no such file among those given/],
-  ]) {
+  ];
+  for (const [value, expected] of values) {
     const { code, err } = fit4cad("score", root, "--as", value);
     assert.equal(code, 2, value);
     assert.match(err, expected);

@@ -12,10 +12,11 @@ test("help goes to stdout and teaches each command", () => {
     assert.match(out, /^fit4cad/);
     assert.match(out, /Example|Try it/);
   }
-  assert.match(fit4cad("score", "--help").out, /swap prediction and truth/);
+  assert.match(fit4cad("score", "--help").out, /swapped: the column headed PPV holds TPR/);
 });
 
 test("a wrong call exits with 2, says what was expected and prints no result", () => {
+  /** @type {[string[], RegExp][]} */
   const calls = [
     [[], /score/],
     [["scroe"], /no command "scroe"/],
@@ -33,19 +34,21 @@ test("a wrong call exits with 2, says what was expected and prints no result", (
     [["generate", "teapot"], /no part "teapot"/],
     [["generate", "flange", "--seed", "1.5"], /a whole number/],
     [["generate", "flange", "--noise", "-1"], /--noise -1/],
-    [["generate", "flange", "--spacing", "7"], /spacing must be between/],
+    [["generate", "flange", "--spacing", "7"], /--spacing 7: expected a number from 0.0005 to 0.1/],
     [["generate", "flange", "--name", "../mine"], /--name ..\/mine: expected/],
   ];
   for (const [args, expected] of calls) {
     const { code, out, err } = fit4cad(...args);
     assert.equal(code, 2, args.join(" "));
-    assert.equal(out, "", args.join(" "));
     assert.match(err, expected);
+    if (args.includes("--json")) assert.match(JSON.parse(out).error, expected);
+    else assert.equal(out, "", args.join(" "));
   }
 });
 
 test("--json is short for --format json in every command that prints results", (t) => {
   const root = folder(t, submitted("PC1", "MINE"));
+  /** @param {string} text */
   const timeless = (text) => JSON.parse(text, (key, value) => (key === "seconds" ? 0 : value));
   for (const command of [["score"], ["check"], ["stats"], ["fit", "--method", "ht"]]) {
     const [long, short, both] = [["--format", "json"], ["--json"], ["--json", "--format=json"]].map((form) => fit4cad(...command, root, ...form));
@@ -84,6 +87,7 @@ test("every listed part is generated, scores itself and comes out the same again
 });
 
 test("a reader that leaves early ends the command quietly", async (t) => {
+  /** @type {Record<string, string>} */
   const files = {};
   for (let number = 1; number <= 120; number += 1) {
     Object.assign(files, submitted(`PC${number}`, "HT"));
@@ -103,4 +107,17 @@ test("nothing but the result is written when piped", (t) => {
   assert.equal(err, "");
   // eslint-disable-next-line no-control-regex -- terminal codes are what is looked for
   assert.doesNotMatch(out, /[\u0000-\u0009\u000b-\u001f\u007f]/);
+});
+
+test("every export says the engine's version", (t) => {
+  const version = fit4cad("--version").out.trim().replace("fit4cad ", "");
+  assert.match(version, /^\d+\.\d+\.\d+/);
+  const root = folder(t, submitted("PC1", "HT"));
+  const exports = [
+    ...["csv", "json", "latex", "markdown"].map((format) => ["score", root, "--format", format]),
+    ...["csv", "json"].map((format) => ["stats", root, "--format", format]),
+    ["check", root, "--json"],
+    ["fit", root, "--method", "ht", "--json"],
+  ];
+  for (const words of exports) assert.ok(fit4cad(...words).out.replaceAll("\\", "").includes(version), words.join(" "));
 });

@@ -4,6 +4,7 @@ import { pageModule } from "./page.mjs";
 
 const { LOOSE, setsOf } = await pageModule("statistics/sets.ts");
 
+/** @param {Record<string, string | undefined>} paths */
 const sets = (paths) => Object.fromEntries(setsOf(Object.entries(paths).map(([id, path]) => ({ id, path }))));
 
 test("the two sets of the whole repository are told by their folders", () => {

@@ -12,13 +12,21 @@ function plate() {
   return `Points:=[\n${points.join(", \n")} \n ];\n`;
 }
 
+/**
+ * @typedef {import("../../bin/cli/fitting.mjs").Fitted} Fitted
+ * @param {string[]} args
+ * @returns {Fitted[]}
+ */
 const fitJson = (...args) => {
   const { code, out, err } = fit4cad("fit", "--json", ...args);
   assert.deepEqual([code, err], [0, ""]);
   return JSON.parse(out);
 };
 
-/** What does not depend on the clock. */
+/**
+ * What does not depend on the clock.
+ * @param {readonly Fitted[]} models
+ */
 const timeless = (models) => models.map(({ seconds, ...rest }) => rest);
 
 for (const method of ["ht", "pg"]) {
@@ -45,11 +53,11 @@ for (const method of ["ht", "pg"]) {
 test("a cloud alone is fitted, and its JSON tells points, type and fit of each primitive", (t) => {
   const root = folder(t, { "PC1.txt": plate() });
   const [model, ...others] = fitJson("--method", "ht", root);
-  assert.deepEqual(Object.keys(model), ["model", "points", "seconds", "primitives"]);
+  assert.deepEqual(Object.keys(model), ["engine", "model", "points", "seconds", "primitives", "types"]);
   assert.deepEqual([model.model, model.points, others.length], ["PC1", 400, 0]);
   assert.ok(model.seconds > 0);
   assert.deepEqual(model.primitives.map(({ type, points }) => ({ type, points })), [{ type: "Plane", points: 400 }]);
-  assert.ok(model.primitives[0].mfe < 1e-9);
+  assert.ok((model.primitives[0].mfe ?? NaN) < 1e-9);
 });
 
 test("files, folders and zips are fitted in the order of the models, each once", (t) => {
@@ -69,6 +77,7 @@ test("a seed gives the same primitives again", (t) => {
 
 test("parameters reach the fitter", (t) => {
   const root = folder(t, { "PC1.txt": plate() });
+  /** @param {string[]} args */
   const count = (...args) => fitJson("--method", "pg", ...args, root)[0].primitives.length;
   assert.equal(count("--smallest", "400"), 1);
   assert.equal(count("--smallest", "401"), 0);
@@ -85,6 +94,7 @@ test("help lists each parameter with range, unit and default", () => {
 
 test("a wrong call exits with 2 and states what is allowed", (t) => {
   const root = folder(t, { "PC1.txt": plate() });
+  /** @type {[string[], RegExp][]} */
   const calls = [
     [[root], /--method ht or --method pg/],
     [["--method", "ransac", root], /expected ht, pg/],
@@ -107,7 +117,9 @@ test("what cannot be fitted is told, the rest is fitted, and the exit code is 1"
   const files = { "PC1.txt": plate(), "PC2.txt": "Points:=[ nothing ];\n", "PC3_primitives.txt": "Primitive1:=[1 2];\n" };
   const { code, out, err } = fit4cad("fit", "--method", "ht", "--json", folder(t, files));
   assert.equal(code, 1);
-  assert.deepEqual(JSON.parse(out).map(({ model }) => model), ["PC1"]);
+  /** @type {Fitted[]} */
+  const models = JSON.parse(out);
+  assert.deepEqual(models.map(({ model }) => model), ["PC1"]);
   assert.match(err, /PC2\.txt:1/);
   assert.match(err, /PC3_primitives\.txt: warning: there is no cloud/);
   const nothing = fit4cad("fit", "--method", "ht", folder(t, {}));
@@ -125,6 +137,7 @@ test("truth and submissions beside a cloud do not change what is fitted", (t) =>
   const alone = folder(t, { "PC1.txt": plate() });
   const { "PC1_primitives.txt": truth } = twoPlanes("PC1");
   const among = folder(t, { "PC1.txt": plate(), "PC1_primitives.txt": truth, "HT/PC1_primitives.txt": truth });
+  /** @param {string} root */
   const fitted = (root) => timeless(fitJson("--method", "ht", root));
   assert.deepEqual(fitted(among), fitted(alone));
   const out = folder(t, {});

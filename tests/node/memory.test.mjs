@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { loadEngineApart } from "../../bin/cli/engine.mjs";
+import { held } from "../../scripts/lib/input.mjs";
 import { generator } from "./random.mjs";
 
 const POINTS = 200_000;
@@ -19,7 +20,7 @@ test("a cloud is read in less than twice its file and the points themselves", as
   const { engine, memory } = await loadEngineApart();
   const bytes = largeCloud();
   const before = memory.buffer.byteLength;
-  const model = engine.Model.read("PC1", [{ path: "PC1.txt", role: "cloud", bytes }]);
+  const model = engine.Model.read("PC1", [held({ path: "PC1.txt", role: "cloud" }, bytes)]);
   const grown = memory.buffer.byteLength - before;
   assert.equal(model.info().points, POINTS);
   assert.ok(grown < 2 * bytes.length + BYTES_PER_POINT * POINTS, `${grown} bytes for a file of ${bytes.length}`);

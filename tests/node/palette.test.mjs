@@ -7,9 +7,13 @@ import { test } from "node:test";
 import { ROOT } from "../../scripts/lib/paths.mjs";
 import { appearances, distance } from "../../scripts/palette.mjs";
 
-const source = readFileSync(join(ROOT, "www/app/view/palette.ts"), "utf8");
+const FILES = ["www/shared/palette.mjs", "www/app/view/palette.ts"];
+const source = FILES.map((file) => readFileSync(join(ROOT, file), "utf8")).join("\n");
 
-/** The colours of a constant of palette.ts, as they appear to each kind of vision. */
+/**
+ * The colours of a constant of either file, as they appear to each kind of vision.
+ * @param {string} name
+ */
 function colours(name) {
   const text = new RegExp(`${name}[^=]*= \\[([^\\]]*)\\]`).exec(source)?.[1] ?? "";
   return [...text.matchAll(/#([0-9a-f]{6})/g)].map(([, hex]) => {
@@ -18,7 +22,10 @@ function colours(name) {
   });
 }
 
-/** The least distance of any two. */
+/**
+ * The least distance of any two.
+ * @param {readonly import("../../scripts/palette.mjs").Triple[][]} all
+ */
 function closest(all) {
   return Math.min(...all.flatMap((one, at) => all.slice(at + 1).map((other) => distance(one, other))));
 }

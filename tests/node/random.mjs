@@ -1,6 +1,9 @@
 // Random numbers that are the same every time.
 
-/** Numbers from 0 to below 1, by the mulberry32 generator of Tommy Ettinger. */
+/**
+ * Numbers from 0 to below 1, by the mulberry32 generator of Tommy Ettinger.
+ * @param {number} seed
+ */
 export function generator(seed) {
   let state = seed >>> 0;
   return () => {

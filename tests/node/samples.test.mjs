@@ -5,6 +5,7 @@ import { pageModule } from "./page.mjs";
 const { isSameSample, nameOfSample } = await pageModule("samples/identity.ts");
 const { sourceOf, truthOnly, without } = await pageModule("state/content.ts");
 
+/** @param {string} part */
 const sample = (part, options = {}) => ({ kind: "sample", part, options });
 
 test("another sample of a part has another name, in whatever order its options are said", () => {
@@ -20,6 +21,10 @@ test("a sample is the same where its options say what holds anyway", () => {
   assert.ok(!isSameSample({ kind: "files" }, sample("bracket")));
 });
 
+/**
+ * @param {string} path
+ * @param {string} [method]
+ */
 const file = (path, method) => ({ path, role: "primitives", data: new Blob([path]), ...(method && { method }) });
 
 test("a model's truth is the same whatever becomes of its submissions, and another with other files", () => {

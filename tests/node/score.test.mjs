@@ -3,6 +3,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { strToU8, zipSync } from "fflate";
+import { MEASURES } from "../../www/shared/formats/measures.mjs";
 import {
   PUBLIC_FILES,
   WITHOUT_PUBLIC_FILES,
@@ -12,13 +13,19 @@ import {
   twoPlanes,
 } from "./support.mjs";
 
-const MEASURES = ["DSC", "PPV", "TPR", "TNR", "NPV", "ACC", "MFE", "dHaus", "d1"];
+/**
+ * @param {string} out
+ * @returns {import("../../www/shared/formats/results.mjs").Result[]}
+ */
+function reportsIn(out) {
+  return JSON.parse(out);
+}
 
 test("a perfect submission scores one in classification and zero in distance", (t) => {
   const { code, out, err } = fit4cad("score", folder(t, submitted("PC1", "HT")), "--format", "json");
   assert.equal(err, "");
   assert.equal(code, 0);
-  const [report, ...others] = JSON.parse(out);
+  const [report, ...others] = reportsIn(out);
   assert.deepEqual(others, []);
   const { model, method, protocol, points, truth, predicted, type_errors: errors } = report;
   assert.deepEqual(
@@ -42,7 +49,7 @@ test("a perfect submission scores one in classification and zero in distance", (
 test("reports are ordered by model number, then method", (t) => {
   const files = { ...submitted("PC10", "PG", "HT"), ...submitted("PC2", "PG", "HT") };
   const { out } = fit4cad("score", folder(t, files), "--format", "json");
-  const order = JSON.parse(out).map(({ model, method }) => `${model} ${method}`);
+  const order = reportsIn(out).map(({ model, method }) => `${model} ${method}`);
   assert.deepEqual(order, ["PC2 HT", "PC2 PG", "PC10 HT", "PC10 PG"]);
 });
 
@@ -64,6 +71,7 @@ test("the published protocol exchanges precision and recall", (t) => {
   files["pointCloud_primitives_HT/PC1_primitives.txt"] =
     "Primitive1:=[1 2 3 4 5 6 7 8 9];\nPrimitive2:=[10 11 12];\n";
   const root = folder(t, files);
+  /** @param {string} protocol */
   const mean = (protocol) =>
     JSON.parse(fit4cad("score", root, "--format", "json", "--protocol", protocol).out)[0].mean;
   const [definition, published] = [mean("definition"), mean("published")];
@@ -126,7 +134,7 @@ test("a zip entry that is cut off is reported by its name", (t) => {
   writeFileSync(zip, bytes);
   const { code, err } = fit4cad("score", zip);
   assert.equal(code, 1);
-  assert.match(err, /pointCloud_primitives_HT\/PC1_primitives\.txt: error: it cannot be unpacked/);
+  assert.match(err, /pointCloud_primitives_HT\/PC1_primitives\.txt: error: The file could not be read: it cannot be unpacked/);
 });
 
 test("the truth scores itself with --self", (t) => {
@@ -138,6 +146,7 @@ test("the truth scores itself with --self", (t) => {
 });
 
 test("missing submissions, truth and files are said plainly", (t) => {
+  /** @param {RegExp} pattern */
   const without = (pattern) =>
     Object.fromEntries(Object.entries(submitted("PC1", "HT")).filter(([path]) => !pattern.test(path)));
   const noSubmission = fit4cad("score", folder(t, without(/_HT\//)));
@@ -167,6 +176,7 @@ test("LaTeX comes as a booktabs table with special characters escaped", (t) => {
 
 test("the golden values of the ten public test models come out", { skip: WITHOUT_PUBLIC_FILES }, () => {
   const golden = JSON.parse(readFileSync(join(PUBLIC_FILES, "golden.json"), "utf8"));
+  /** @type {Record<string, number>} */
   const tolerance = { MFE: 1e-7, dHaus: 1e-7 };
   for (const protocol of ["definition", "published"]) {
     const run = fit4cad("score", join(PUBLIC_FILES, "test_sample"), "--format", "json", "--protocol", protocol);

@@ -2,13 +2,13 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateSync, inflateSync } from "fflate";
-import { MEASURES } from "../../bin/formats/measures.mjs";
+import { crc32 } from "../../www/shared/crc32.mjs";
+import { MEASURES } from "../../www/shared/formats/measures.mjs";
 import { pageModule } from "./page.mjs";
 import { generator } from "./random.mjs";
 
-const { isShared } = await pageModule("sharing/fragment.ts");
+const { isShared } = await pageModule("state/fragment.ts");
 const { MAX_FRAGMENT, readFragment, writeFragment } = await pageModule("sharing/codec/link.ts");
-const { crc32 } = await pageModule("sharing/codec/crc32.ts");
 const { toBase64Url } = await pageModule("sharing/codec/base64url.ts");
 const { write } = await pageModule("sharing/codec/version2.ts");
 
@@ -20,7 +20,13 @@ const CAMERA = {
   projection: "perspective",
 };
 
-/** Results of `count` models with figures that use all digits of a double. */
+/**
+ * Results of `count` models with figures that use all digits of a double.
+ * @param {number} count
+ * @param {string[]} methods
+ * @param {number} seed
+ * @returns {any} typed as what the codec takes, of which these tests break the rules
+ */
 function results(count, methods = ["MINE"], seed = 1) {
   const random = generator(seed);
   const hexadecimal = () => Array.from({ length: 16 }, () => Math.floor(random() * 16).toString(16)).join("");
@@ -31,6 +37,7 @@ function results(count, methods = ["MINE"], seed = 1) {
     origin: { kind: "files" },
     inputs: hexadecimal(),
   }));
+  /** @param {string} measure */
   const figure = (measure) => (["MFE", "dHaus", "d1"].includes(measure) ? random() ** 4 : 1 - random() ** 3);
   const claims = models.flatMap((_, model) =>
     methods.map((method) => ({
@@ -85,7 +92,7 @@ test("a link with ten models stays below 2,000 characters, one with thirty-five 
       const shared = results(count, ["MINE"], seed);
       // What a fit of public models adds comes within the same bound.
       const fitted = { method: "pg", seed: 7, parameters: { tolerance: 0.0125 } };
-      shared.models.forEach((model, i) => (model.origin = { kind: "public", model: { set: "test", number: i + 1 } }));
+      shared.models.forEach((/** @type {any} */ model, /** @type {number} */ i) => (model.origin = { kind: "public", model: { set: "test", number: i + 1 } }));
       for (const claim of shared.claims) claim.fitted = fitted;
       const { length } = PAGE + writeFragment(shared);
       assert.ok(length <= most, `${count} models take ${length} characters`);
@@ -108,6 +115,7 @@ test("names are cut to what a link holds, between characters, and lose what cann
   assert.equal(hidden.name, "a\ufffdb\ufffdc\ufffd\ufffdd");
 });
 
+/** @param {number} version */
 function fixture(version) {
   return JSON.parse(readFileSync(new URL(`fixtures/share-version-${version}.json`, import.meta.url), "utf8"));
 }
@@ -127,6 +135,7 @@ test("a link of a version to come says that the page must be reloaded", () => {
 test("every missing, changed or added character is noticed", () => {
   const fragment = writeFragment(results(3));
   const start = fragment.indexOf(".") + 1;
+  /** @param {string} text */
   const damaged = (text) => assert.throws(() => readFragment(text), { name: "Damaged", message: /^This link is damaged/ });
   for (let at = start; at < fragment.length; at += 1) {
     const other = fragment[at] === "A" ? "B" : "A";
@@ -138,7 +147,12 @@ test("every missing, changed or added character is noticed", () => {
   for (const end of [".", ")", "%20", "&utm_source=x", "AAAA", " "]) damaged(fragment + end);
 });
 
-/** A link whose checksum is right, whatever it holds. */
+/**
+ * A link whose checksum is right, whatever it holds.
+ * @param {Uint8Array} content
+ * @param {number} announced
+ * @param {number} version
+ */
 function forged(content, announced = content.length, version = 2) {
   const length = [];
   for (let rest = announced; ; rest = Math.floor(rest / 128)) {
@@ -150,7 +164,10 @@ function forged(content, announced = content.length, version = 2) {
   return `#share=${version}.${toBase64Url(Uint8Array.from([...sum, ...body]))}`;
 }
 
-/** What a link holds, without checksum and length. */
+/**
+ * What a link holds, without checksum and length.
+ * @param {string} fragment
+ */
 function contentOf(fragment) {
   const body = Buffer.from(fragment.slice(fragment.indexOf(".") + 1), "base64url").subarray(4);
   return inflateSync(body.subarray(body.findIndex((byte) => byte < 128) + 1));
@@ -169,6 +186,7 @@ test("a link longer than any is refused unread", () => {
 
 test("a hostile link gives results within bounds or an error in words, nothing else", () => {
   const random = generator(42);
+  /** @param {number} most */
   const pick = (most) => Math.floor(random() * most);
   const written = [results(1), results(10), results(2, ["a", "b"]), fixture(2).results];
   const seeds = [...written.map((shared) => ({ content: write(shared), version: 2 })), { content: contentOf(fixture(1).fragment), version: 1 }];
@@ -188,6 +206,7 @@ test("a hostile link gives results within bounds or an error in words, nothing e
     try {
       shared = readFragment(forged(Uint8Array.from(content), content.length, version));
     } catch (error) {
+      assert.ok(error instanceof Error);
       assert.equal(error.name, "Damaged", error.stack);
       continue;
     }
@@ -207,16 +226,17 @@ test("random characters never read as a link", () => {
   }
 });
 
+/** @param {any} shared */
 function assertWithinBounds({ engine, protocol, models, claims, view }) {
   assert.ok(models.length <= 500 && claims.length <= 1000);
   assert.ok(["definition", "published"].includes(protocol));
-  const names = [engine, ...models.map(({ name }) => name), ...claims.map(({ method }) => method)];
+  const names = [engine, ...models.map((/** @type {any} */ { name }) => name), ...claims.map((/** @type {any} */ { method }) => method)];
   // eslint-disable-next-line no-control-regex -- they are what must not be there
   for (const name of names) assert.ok(name.length <= 200 && !/[\u0000-\u001f\u202e]/.test(name));
   for (const { origin } of models) {
-    if (origin.model) assert.ok(origin.model.number >= 1 && origin.model.number <= { training: 190, test: 35 }[origin.model.set]);
+    if (origin.model) assert.ok(origin.model.number >= 1 && origin.model.number <= /** @type {Record<string, number>} */ ({ training: 190, test: 35 })[origin.model.set]);
   }
-  for (const { fitted } of claims.filter((claim) => claim.fitted)) {
+  for (const { fitted } of claims.filter((/** @type {any} */ claim) => claim.fitted)) {
     assert.ok(["ht", "pg"].includes(fitted.method) && fitted.seed < 2 ** 32);
     assert.ok(Object.values(fitted.parameters).every(Number.isFinite));
   }

@@ -16,6 +16,7 @@ function twoModels() {
 test("models are counted one by one and as a set", (t) => {
   const { code, out, err } = fit4cad("stats", folder(t, twoModels()), "--format", "json");
   assert.deepEqual([code, err], [0, ""]);
+  /** @type {import("../../www/shared/formats/statistics.mjs").Statistics} */
   const { set, models } = JSON.parse(out);
   const none = { Cylinder: 0, Cone: 0, Sphere: 0, Torus: 0, Other: 0 };
   assert.deepEqual(
@@ -40,21 +41,24 @@ test("the table ends with the bar chart of types", (t) => {
 
 test("CSV has one row per model", (t) => {
   const { out } = fit4cad("stats", folder(t, twoModels()), "--format", "csv");
+  const version = fit4cad("--version").out.trim().replace("fit4cad ", "");
   assert.deepEqual(out.split("\r\n"), [
-    "model,points,primitives,plane,cylinder,cone,sphere,torus,other,unsegmented,shared",
-    "PC1,18,2,2,0,0,0,0,0,0,0",
-    "PC2,18,1,1,0,0,0,0,0,0.5,0",
+    "model,points,primitives,plane,cylinder,cone,sphere,torus,other,unsegmented,shared,engine",
+    `PC1,18,2,2,0,0,0,0,0,0,0,${version}`,
+    `PC2,18,1,1,0,0,0,0,0,0.5,0,${version}`,
     "",
   ]);
 });
 
 test("however many files have no place, each is told and nothing breaks", (t) => {
+  /** @param {number} set */
   const orphans = (set) => Array.from({ length: 60_000 }, (_, index) => [`${set}/PC${index}_primitives.txt`, new Uint8Array()]);
+  /** @param {number} set */
   const zip = (set) => zipSync(Object.fromEntries(orphans(set)), { level: 0 });
   const root = folder(t, { "1.zip": zip(1), "2.zip": zip(2), "3.zip": zip(3) });
   for (const command of ["stats", "check", "score", "fit"]) {
     const { code, err } = fit4cad(command, root, ...(command === "fit" ? ["--method", "ht"] : []));
-    const told = err.match(/: warning: there is no cloud PC\d+\.txt for it\n/g);
+    const told = err.match(/: warning: there is no cloud PC\d+ for it\n/g);
     assert.deepEqual([code, told?.length], [1, 180_000], command);
   }
 });
@@ -68,6 +72,7 @@ test("nothing to count is a failure", (t) => {
 test("the training set is as large as it is", { skip: WITHOUT_PUBLIC_FILES }, () => {
   const { code, out } = fit4cad("stats", join(PUBLIC_FILES, "training_set.zip"), "--format", "json");
   assert.equal(code, 0);
+  /** @type {import("../../www/shared/formats/statistics.mjs").Statistics} */
   const { set } = JSON.parse(out);
   assert.equal(set.models, 188);
   assert.equal(set.types.Other, 2);

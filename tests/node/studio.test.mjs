@@ -4,7 +4,7 @@ import { pageModule } from "./page.mjs";
 
 const { rounded } = await pageModule("studio/rounding.ts");
 const { afterKey, cornersOf, MIDDLE, wordsFor } = await pageModule("studio/rectangle.ts");
-const { thinIn, thinness } = await pageModule("studio/thin.ts");
+const { thinness } = await pageModule("studio/thin.ts");
 
 test("places are rounded by the size of the cloud, however far it is from the origin", () => {
   const place = [5_000_000.123456, -0.1234567, 1 / 3];
@@ -32,10 +32,12 @@ test("keys move and size the rectangle, which stays in the view", () => {
 });
 
 test("primitives with too few points are told by number or count", () => {
-  const primitives = [1, 2, 4].map((number) => ({ number }));
-  const thin = thinIn({ primitives, offsets: Uint32Array.of(0, 10, 19, 19) });
-  assert.deepEqual(thin, [2, 4]);
-  assert.match(thinness(thin, 3, 12.3456), /^2 of 3 primitives have fewer than 10 points.*Points lie 12 apart/);
-  assert.match(thinness([4], 3, 1), /^Primitive 4 has fewer/);
-  assert.equal(thinness([], 3, 1), undefined);
+  /**
+   * @param {number[]} primitives
+   * @param {number} distance
+   */
+  const thin = (primitives, distance) => thinness({ primitives, fewest: 10, distance }, 3);
+  assert.match(thin([2, 4], 12.3456), /^2 of 3 primitives have fewer than 10 points.*Points lie 12 apart/);
+  assert.match(thin([4], 1), /^Primitive 4 has fewer/);
+  assert.equal(thin([], 1), undefined);
 });

@@ -2,21 +2,42 @@ import { render } from "preact";
 import { listenForDrops } from "./intake/dropzone";
 import { listen } from "./keyboard/shortcuts";
 import { keepForOfflineLater } from "./offline/register";
-import { KEYS } from "./keyboard/keys";
+import { followScores } from "./scores/means";
+import { hashForLink } from "./sharing/opened";
 import { heedAddress } from "./sharing/share";
 import { App } from "./shell/app";
 import { openFirst, openNamed } from "./shell/opening";
-import { PAGES } from "./shell/registry";
-import { page } from "./shell/router";
+import { KEYS } from "./shell/keys";
+import { PAGES } from "./shell/registry/pages";
+import { sortBrought } from "./state/inbox";
+import { heedHistory, page } from "./state/router";
+import { openSelected } from "./state/scene";
+import { scoreWaiting } from "./state/scoring";
+import { keepSelection } from "./state/selection";
+import { applyTheme, keepSettings } from "./state/settings";
 import { fetchAhead, Lazy } from "./ui/lazy";
 import "../styles/index.css";
+
+/** What goes on as long as the page is open. */
+const RUNNING = [
+  applyTheme,
+  keepSettings,
+  heedHistory,
+  heedAddress,
+  sortBrought,
+  keepSelection,
+  scoreWaiting,
+  followScores,
+  openSelected,
+  hashForLink,
+];
 
 const embedded = new URLSearchParams(location.search).has("embed");
 const loadEmbed = () => import("./shell/embed");
 
 const root = document.getElementById("app");
 if (root) {
-  heedAddress();
+  for (const start of RUNNING) start();
   if (embedded) {
     render(<Lazy load={loadEmbed} title="the results" />, root);
     void openNamed();

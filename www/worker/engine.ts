@@ -2,8 +2,12 @@
 // It starts as the scorer; the whole engine, with the fitters, is fetched when it is first asked for.
 
 import * as Comlink from "comlink";
-import init, { Model, datasetStatistics, distribution, group, parts, version } from "../generated/scorer/scorer.js";
-import type { InputFile } from "../generated/engine/engine.js";
+import init, { Model, compare, datasetStatistics, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
+import { comparisonsOf, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
+import { EXPORT_COLOURS } from "../shared/palette.mjs";
+import { stayAlive } from "./alive";
+import { modelOf } from "./input";
+import { sameWords } from "./same-words";
 import type {
   EngineWorker,
   FittedModel,
@@ -20,7 +24,8 @@ let fetched: ReturnType<typeof fetchWhole> | undefined;
 
 async function fetchWhole() {
   const whole = await import("../generated/engine/engine.js");
-  await whole.default();
+  // The scorer goes on telling what does not depend on a model.
+  await Promise.all([whole.default(), ready]);
   return whole;
 }
 
@@ -40,22 +45,25 @@ let held: { key: string; model: Model } | undefined;
 async function read(source: ModelSource): Promise<Model> {
   await ready;
   if (held?.key === source.key) return held.model;
-  held?.model.free();
-  held = undefined;
-  const model = Model.read(source.name, await contents(source));
+  letGo();
+  const model = await wholly(source);
+  // Another may have been read while the whole engine was fetched.
+  letGo();
   held = { key: source.key, model };
   return model;
 }
 
-function contents(source: ModelSource): Promise<InputFile[]> {
-  return Promise.all(
-    source.files.map(async ({ path, role, method, data }) => ({
-      path,
-      role,
-      ...(method === undefined ? {} : { method }),
-      bytes: new Uint8Array(await data.arrayBuffer()),
-    })),
-  );
+function letGo(): void {
+  held?.model.free();
+  held = undefined;
+}
+
+/** Read by the whole engine where the scorer leaves something to it. */
+async function wholly({ name, files }: ModelSource): Promise<Model> {
+  const model = modelOf(Model, name, files);
+  if (!model.wantsWhole()) return model;
+  model.free();
+  return modelOf((await wholeEngine()).Model, name, files);
 }
 
 function segmentation(model: Model, method?: string): SegmentationScene {
@@ -65,6 +73,7 @@ function segmentation(model: Model, method?: string): SegmentationScene {
     offsets: offsets as Uint32Array<ArrayBuffer>,
     indices: indices as Uint32Array<ArrayBuffer>,
     distances: model.distances(method) as Float32Array<ArrayBuffer>,
+    farthest: model.farthest(method),
   };
 }
 
@@ -74,11 +83,12 @@ function buffersOf(scene: SegmentationScene | undefined): Transferable[] {
 
 function written(model: Pick<Model, "write">, name: string, method?: string): ModelFile[] {
   const { cloud, primitives, parametric, implicit } = model.write(method);
-  const folder = method === undefined ? "" : `_${method}`;
-  const file = (role: ModelFile["role"], text: string): ModelFile => {
-    const path = role === "cloud" ? `pointCloud/${name}.txt` : `pointCloud_${role}${folder}/${name}_${role}.txt`;
-    return { path, role, ...(method === undefined ? {} : { method }), data: new Blob([text], { type: "text/plain" }) };
-  };
+  const file = (role: ModelFile["role"], text: string): ModelFile => ({
+    path: pathOf("test-set", name, role, method),
+    role,
+    ...(method === undefined ? {} : { method }),
+    data: new Blob([text], { type: "text/plain" }),
+  });
   return [
     ...(cloud === undefined ? [] : [file("cloud", cloud)]),
     file("primitives", primitives),
@@ -109,14 +119,64 @@ const worker: EngineWorker = {
     return group(paths, overrides);
   },
 
-  async parts() {
-    await ready;
-    return parts();
+  async outcomes(source, method, truth, predicted) {
+    const labels = (await read(source)).outcomes(method, truth, predicted) as Uint32Array<ArrayBuffer>;
+    return Comlink.transfer(labels, [labels.buffer]);
   },
 
-  async distributions(lists) {
+  async figure(source, method) {
+    const labels = (await read(source)).figure(method) as Uint32Array<ArrayBuffer>;
+    return Comlink.transfer(labels, [labels.buffer]);
+  },
+
+  async histogram(source, wanted, bins, logarithmic) {
+    return (await read(source)).histogram([...wanted], bins, logarithmic);
+  },
+
+  async summarise(scores) {
     await ready;
-    return lists.map((values) => distribution(values));
+    return summarise(scores);
+  },
+
+  async compare(own, theirs) {
+    await ready;
+    return compare(own, theirs);
+  },
+
+  async field(source, scale) {
+    const whole = await wholeEngine();
+    const model = modelOf(whole.Model, source.name, source.files);
+    try {
+      const { hasTruth, methods } = model.info();
+      return hasTruth ? methods.map((method) => model.field(method, scale)) : [];
+    } finally {
+      model.free();
+    }
+  },
+
+  async fieldSums(reports, figures) {
+    const whole = await wholeEngine();
+    return {
+      spreads: spreadsOf(whole, reports, figures),
+      comparisons: comparisonsOf(whole, reports, figures),
+      strata: { size: strataOf(whole, reports, "size"), type: strataOf(whole, reports, "type") },
+    };
+  },
+
+  async fieldText(results, scale, extension) {
+    const [whole, { fieldText }] = await Promise.all([wholeEngine(), import("../shared/formats/field.mjs")]);
+    return fieldText(whole, results, scale, extension);
+  },
+
+  async oneLines(diagnostics) {
+    await ready;
+    return oneLines([...diagnostics]);
+  },
+
+  async submissionPaths(model, method) {
+    await ready;
+    const path = (role: ModelFile["role"]) => pathOf("test-set", model, role, method);
+    return { cloud: path("cloud"), primitives: path("primitives"), parametric: path("parametric"), implicit: path("implicit") };
   },
 
   async generate(part, options, name): Promise<WrittenFiles> {
@@ -125,6 +185,16 @@ const worker: EngineWorker = {
     try {
       const method = model.imperfect(Number(options.seed ?? 1));
       return { name, files: [...written(model, name), ...written(model, name, method)] };
+    } finally {
+      model.free();
+    }
+  },
+
+  async export(source, method, form) {
+    const whole = await wholeEngine();
+    const model = modelOf(whole.Model, source.name, source.files);
+    try {
+      return new Blob([model.export(form, method, EXPORT_COLOURS) as Uint8Array<ArrayBuffer>]);
     } finally {
       model.free();
     }
@@ -147,12 +217,14 @@ const worker: EngineWorker = {
     const model = await read(source);
     const positions = model.positions() as Float32Array<ArrayBuffer>;
     const centre = model.centre() as Float64Array<ArrayBuffer>;
+    const numbers = model.numbers() as Uint32Array<ArrayBuffer> | undefined;
     const truth = model.info().hasTruth ? segmentation(model) : undefined;
     const prediction = method === undefined ? undefined : segmentation(model, method);
     const rival = rivalMethod === undefined ? undefined : { method: rivalMethod, segmentation: segmentation(model, rivalMethod) };
-    return Comlink.transfer({ key: source.key, method, positions, centre, truth, prediction, rival }, [
+    return Comlink.transfer({ key: source.key, method, positions, centre, numbers, truth, prediction, rival }, [
       positions.buffer,
       centre.buffer,
+      ...(numbers ? [numbers.buffer] : []),
       ...buffersOf(truth),
       ...buffersOf(prediction),
       ...buffersOf(rival?.segmentation),
@@ -170,9 +242,17 @@ const worker: EngineWorker = {
 
   async audit(source) {
     const whole = await wholeEngine();
-    const model = whole.Model.read(source.name, await contents(source));
+    const model = modelOf(whole.Model, source.name, source.files);
     try {
-      return { audit: model.audit(), corrected: model.info().hasTruth ? model.corrected() : undefined };
+      const audit = model.audit();
+      if (!model.info().hasTruth) return { audit, corrections: [], corrected: [] };
+      const { corrections, ...texts } = model.corrected();
+      const corrected = (["parametric", "implicit"] as const).flatMap((role): ModelFile[] => {
+        const text = texts[role];
+        const path = pathOf("beside", source.name, role);
+        return text === undefined ? [] : [{ path, role, data: new Blob([text], { type: "text/plain" }) }];
+      });
+      return { audit, corrections, corrected };
     } finally {
       model.free();
     }
@@ -192,6 +272,11 @@ const worker: EngineWorker = {
     return written(model, source.name, method);
   },
 
+  async texts(source, method) {
+    const model = await read(source);
+    return { ...model.write(method), cloud: model.cloud() };
+  },
+
   async hash(contents) {
     const hashes: (string | null)[] = [];
     // One after the other: together they would all be in memory at once.
@@ -199,13 +284,13 @@ const worker: EngineWorker = {
     return hashes;
   },
 
-  async fitParameters(method) {
-    return (await wholeEngine()).fitParameters(method);
+  async sayTheSame(a, b) {
+    return sameWords(await a.text(), await b.text());
   },
 
   async fit(source, { method, parameters, seed }, onStage): Promise<FittedModel> {
     const whole = await wholeEngine();
-    const model = whole.Model.read(source.name, await contents(source));
+    const model = modelOf(whole.Model, source.name, source.files);
     try {
       const start = performance.now();
       const name = model.fit(method, { ...parameters }, seed, paced(onStage));
@@ -225,4 +310,5 @@ async function sha256(content: Blob): Promise<string | null> {
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
+stayAlive();
 Comlink.expose(worker);

@@ -7,6 +7,8 @@ import init, {
   HoughLesson,
   Model,
   surfaceForms,
+  type FieldReport,
+  type FitMethod,
   type PaintedScore,
   type PrimitiveInfo,
   type Report,
@@ -15,6 +17,7 @@ import init, {
   type SurfaceSliders,
   type SurfaceType,
 } from "../generated/engine/engine.js";
+import { stayAlive } from "./alive";
 
 /** Points and what they belong to. */
 export interface LessonModel {
@@ -80,6 +83,10 @@ const lessons = {
     return shown(hold(Model.generate(name, options)));
   },
 
+  field(lists: Uint32Array[]): FieldReport {
+    return held(model).fieldOf(lists);
+  },
+
   vote(family: SurfaceType): SliceInfo {
     hough?.free();
     hough = undefined;
@@ -130,7 +137,7 @@ const lessons = {
     return held(growing).split(region);
   },
 
-  segment(method: "ht" | "pg"): LessonSegmentation {
+  segment(method: FitMethod): LessonSegmentation {
     const of = held(model);
     const name = of.fit(method, {}, FIT_SEED, () => undefined);
     return { ...listsOf(of, name), report: of.score(name, "definition") };
@@ -149,4 +156,5 @@ const lessons = {
 
 export type LessonsWorker = typeof lessons;
 
+stayAlive();
 Comlink.expose(lessons);

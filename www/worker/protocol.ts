@@ -5,22 +5,30 @@
 
 import type {
   Audit,
-  Corrected,
+  Comparison,
+  Correction,
+  Counted,
   DatasetStatistics,
-  Distribution,
+  DiagnosticInfo as Diagnostic,
+  FieldReport,
+  FigureInfo,
+  FigureScale,
   FitMethod,
   Grouping,
+  Histogram,
+  MethodSummary,
   ModelInfo,
   ModelStatistics,
   Override,
-  ParameterInfo,
-  PartInfo,
   PatchMesh,
   PrimitiveInfo,
   Report,
   Role,
   SampleOptions,
-} from "../app/engine/contract";
+  Scores,
+} from "../generated/engine/engine.js";
+import type { FieldResult } from "../shared/formats/field.mjs";
+import type { comparisonsOf, spreadsOf, strataOf, Stratum } from "../shared/formats/field-sums.mjs";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
@@ -28,6 +36,8 @@ export interface ModelFile {
   readonly role: Role;
   /** Absent for the ground truth. */
   readonly method?: string;
+  /** What its indices of points count from, where the reader says so. */
+  readonly first?: number;
   readonly data: Blob;
 }
 
@@ -53,6 +63,13 @@ export interface ScoredModel {
   readonly reports: readonly MethodReports[];
 }
 
+/** What the field reports of many submissions, summed up. */
+export interface FieldSums {
+  readonly spreads: ReturnType<typeof spreadsOf>;
+  readonly comparisons: ReturnType<typeof comparisonsOf>;
+  readonly strata: Readonly<Record<Stratum, ReturnType<typeof strataOf>>>;
+}
+
 /** One segmentation, as the view draws it and the tables name it. */
 export interface SegmentationScene {
   readonly primitives: readonly PrimitiveInfo[];
@@ -61,6 +78,8 @@ export interface SegmentationScene {
   readonly indices: Uint32Array<ArrayBuffer>;
   /** Distance of every listed point to its primitive's surface, in `indices` order; NaN without surface. */
   readonly distances: Float32Array<ArrayBuffer>;
+  /** The largest of them; 0 where there is none. */
+  readonly farthest: number;
 }
 
 /** A model ready to be looked at. */
@@ -70,6 +89,8 @@ export interface ModelScene {
   /** `xyz` per point, relative to `centre`. */
   readonly positions: Float32Array<ArrayBuffer>;
   readonly centre: Float64Array<ArrayBuffer>;
+  /** Number of each point in the cloud's file, where that is not its index and one. */
+  readonly numbers: Uint32Array<ArrayBuffer> | undefined;
   readonly truth: SegmentationScene | undefined;
   /** The submission of `method`. */
   readonly prediction: SegmentationScene | undefined;
@@ -86,8 +107,10 @@ export interface WrittenFiles {
 /** What an audit of a ground truth yields. */
 export interface AuditedModel {
   readonly audit: Audit;
-  /** Its surface files with wrong vectors replaced; nothing where there is no truth. */
-  readonly corrected: Corrected | undefined;
+  /** What was wrong in its surface files; nothing where there is no truth. */
+  readonly corrections: readonly Correction[];
+  /** The files that hold a wrong vector, with it replaced. */
+  readonly corrected: readonly ModelFile[];
 }
 
 /** How a fitter is to be run. */
@@ -115,26 +138,48 @@ export type OnStage = (stage: string, fraction: number) => void;
 export interface EngineWorker {
   version(): Promise<string>;
   group(paths: string[], overrides: Record<string, Override>): Promise<Grouping>;
-  parts(): Promise<PartInfo[]>;
   /** Makes a sample part: the four files of its truth and those of an imperfect submission, called by `name`. */
   generate(part: string, options: SampleOptions, name: string): Promise<WrittenFiles>;
+  /** The primitives of a method, or of the truth, in a form of other programs: a name of the declared exports. */
+  export(source: ModelSource, method: string | undefined, form: string): Promise<Blob>;
   score(source: ModelSource): Promise<ScoredModel>;
   open(source: ModelSource, method: string | undefined, rival: string | undefined): Promise<ModelScene>;
   /** Unit normal of every point, without a sign. */
   normals(source: ModelSource): Promise<Float32Array<ArrayBuffer>>;
   /** The patch of a primitive's surface that its points cover; of the truth where no method is given. */
   patch(source: ModelSource, place: number, method: string | undefined): Promise<PatchMesh | undefined>;
-  /** How each list of values is spread; NaN is left out, a list of nothing else gives nothing. */
-  distributions(lists: readonly Float64Array[]): Promise<(Distribution | undefined)[]>;
+  /** What each point is for the true and the predicted primitive at two places: 0 in neither, 1 in both, 2 predicted alone, 3 of the truth alone. */
+  outcomes(source: ModelSource, method: string, truth: number | undefined, predicted: number | undefined): Promise<Uint32Array<ArrayBuffer>>;
+  /** The paper's figure: per point 0 where nothing is predicted, a true primitive from 1 where it was rightly found, the number after the last where what is predicted is wrong. */
+  figure(source: ModelSource, method: string): Promise<Uint32Array<ArrayBuffer>>;
+  /** Distances to surfaces, counted on one scale. */
+  histogram(source: ModelSource, wanted: readonly Counted[], bins: number, logarithmic: boolean): Promise<Histogram>;
+  /** Sums up reports method by method: one call for all of them. */
+  summarise(scores: Scores): Promise<MethodSummary[]>;
+  /** Compares own figures with others, measure by measure; both row after row. */
+  compare(own: Float64Array, theirs: Float64Array): Promise<Comparison[]>;
+  /** What the field reports of every submission of a model; nothing where there is no truth. */
+  field(source: ModelSource, scale: FigureScale): Promise<readonly FieldReport[]>;
+  /** The same of many models, summed up. */
+  fieldSums(reports: readonly FieldReport[], figures: readonly Pick<FigureInfo, "key" | "title" | "better">[]): Promise<FieldSums>;
+  /** All of that as a file of an extension. */
+  fieldText(results: readonly FieldResult[], scale: FigureScale, extension: string): Promise<string>;
+  /** Findings as a compiler prints them, a line each. */
+  oneLines(diagnostics: readonly Diagnostic[]): Promise<string[]>;
+  /** Where the files of a submission lie in the layout of the public test set. */
+  submissionPaths(model: string, method: string): Promise<Readonly<Record<Role, string>>>;
   /** Audits the ground truth: its files, and points, parametric and implicit form against each other. */
   audit(source: ModelSource): Promise<AuditedModel>;
   statistics(source: ModelSource): Promise<ModelStatistics>;
   datasetStatistics(models: readonly ModelStatistics[]): Promise<DatasetStatistics>;
   /** The three files of a submission, as the engine writes them. */
   write(source: ModelSource, method: string): Promise<ModelFile[]>;
+  /** The texts of a cloud and of one segmentation of it: that of a method, or the truth. */
+  texts(source: ModelSource, method: string | undefined): Promise<Readonly<Record<Role, string>>>;
   /** SHA-256 of each in hexadecimal digits; null on a page that came over an unsafe connection. */
   hash(contents: readonly Blob[]): Promise<(string | null)[]>;
-  fitParameters(method: FitMethod): Promise<ParameterInfo[]>;
+  /** Whether two files hold the same names and numbers in the same order, whatever blanks stand between. */
+  sayTheSame(a: Blob, b: Blob): Promise<boolean>;
   /** Fits the bare cloud; `onStage` is to be wrapped by Comlink's `proxy`. */
   fit(source: ModelSource, request: FitRequest, onStage: OnStage): Promise<FittedModel>;
 }

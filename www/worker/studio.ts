@@ -1,20 +1,18 @@
 // The engine as the case studio uses it: one case, made again whenever it changes.
 
 import * as Comlink from "comlink";
-import init, { Model, parts, shapes, type PartInfo, type PrimitiveInfo, type ShapeInfo } from "../generated/engine/engine.js";
-import type { Base, Case, Cut, Sampling, Vector } from "../app/studio/case";
+import { ROLES } from "../generated/declared/roles.js";
+import init, { fileName, Model, pathOf, version, type Losses, type PrimitiveInfo, type Texts, type Thin } from "../generated/engine/engine.js";
+import { SAMPLE_OPTIONS } from "../generated/declared/sample-options.js";
+import { stayAlive } from "./alive";
+import { modelOf } from "./input";
+import type { ModelFile } from "./protocol";
+import type { Base, Case, Cut, Sampling, Vector } from "./case";
 
-/** What can be built with. */
-export interface Stock {
-  readonly shapes: readonly ShapeInfo[];
-  readonly parts: readonly PartInfo[];
-}
-
-/** What a cut took away. */
-export interface CutEffect {
+/** What making a case takes, roughly. */
+export interface Weight {
   readonly points: number;
-  /** Numbers of the primitives that lost their last point. */
-  readonly vanished: readonly number[];
+  readonly seconds: number;
 }
 
 /** A case ready to be looked at. */
@@ -27,7 +25,10 @@ export interface MadeCase {
   readonly diagonal: number;
   /** Nothing where there is no truth. */
   readonly truth: MadeTruth | undefined;
-  readonly cuts: readonly CutEffect[];
+  /** Primitives with too few points, where points are as far apart as the case wants them. */
+  readonly thin: Thin;
+  /** What each cut took away. */
+  readonly cuts: readonly Losses[];
 }
 
 export interface MadeTruth {
@@ -36,10 +37,18 @@ export interface MadeTruth {
   readonly indices: Uint32Array<ArrayBuffer>;
 }
 
-/** The texts of the four files; only the cloud where there is no truth. */
-export interface CaseTexts {
-  readonly cloud: string;
-  readonly truth: { readonly primitives: string; readonly parametric: string; readonly implicit: string } | undefined;
+/** The four files of a case; only the cloud where there is no truth. */
+export interface CaseFiles {
+  /** What the case is called by every file system. */
+  readonly name: string;
+  readonly files: readonly ModelFile[];
+}
+
+/** The widest spacing that the engine takes. */
+const MAX_SPACING = SAMPLE_OPTIONS.find(({ name }) => name === "spacing")?.maximum ?? 1;
+/** A case made of fewer points: how many there are for an area of one diagonal squared, in all, and the time they took. */
+interface Sparse extends Weight {
+  readonly density: number;
 }
 
 /** Asked for twice, it would be there twice. */
@@ -52,25 +61,22 @@ let made: Model | undefined;
 /** The model is asked for nothing by its name. */
 const NAME = "case";
 
-async function cleanModel(base: Base, { spacing, seed }: Sampling): Promise<Model> {
+function cleanModel(base: Base, sampling: Sampling): Model {
   // Nothing but noise and outliers depends on the seed of given points.
-  const of = base.kind === "files" ? base.source.key : JSON.stringify([base, spacing, seed]);
+  const of = base.kind === "files" ? base.source.key : JSON.stringify([base, sampling.spacing, sampling.seed]);
   if (clean?.of === of) return clean.model;
-  const model =
-    base.kind === "blocks"
-      ? Model.compose(NAME, base.blocks.map(mutable), { spacing, seed })
-      : base.kind === "sample"
-        ? Model.generate(base.part, { spacing, seed })
-        : await readModel(base.source);
+  const model = base.kind === "files" ? readModel(base.source) : generated(base, sampling);
   clean?.model.free();
   clean = { of, model };
   return model;
 }
 
-async function readModel({ files }: Extract<Base, { kind: "files" }>["source"]): Promise<Model> {
-  const own = files.filter(({ method }) => method === undefined);
-  const read = own.map(async ({ path, role, data }) => ({ path, role, bytes: new Uint8Array(await data.arrayBuffer()) }));
-  return Model.read(NAME, await Promise.all(read));
+function generated(base: Exclude<Base, { kind: "files" }>, { spacing, seed }: Pick<Sampling, "spacing" | "seed">): Model {
+  return base.kind === "blocks" ? Model.compose(NAME, base.blocks.map(mutable), { spacing, seed }) : Model.generate(base.part, { spacing, seed });
+}
+
+function readModel({ files }: Extract<Base, { kind: "files" }>["source"]): Model {
+  return modelOf(Model, NAME, files.filter(({ method }) => method === undefined));
 }
 
 /** The declared types of the boundary are mutable. */
@@ -88,66 +94,86 @@ function without(model: Model, cut: Cut): Model {
   return model.withoutLasso(camera, Float64Array.from(cut.corners.flat()));
 }
 
-function numbersOf(model: Model): number[] {
-  return model.info().hasTruth ? model.primitives().map(({ number }) => number) : [];
+/** The model with noise and outliers, and without what is cut away. The given one stays. */
+function finished(clean: Model, { noise, outliers, seed }: Sampling, cuts: readonly Cut[]) {
+  let model = clean.degraded({ noise, outliers, seed });
+  const { centre, diagonal } = placeOf(model);
+  const losses: Losses[] = [];
+  for (const cut of cuts) {
+    const rest = without(model, cut);
+    losses.push(model.losses(rest));
+    model.free();
+    model = rest;
+  }
+  return { model, losses, centre, diagonal };
 }
 
 const studio = {
-  async stock(): Promise<Stock> {
+  /** Of the engine. */
+  async version(): Promise<string> {
     await ready;
-    return { shapes: shapes(), parts: parts() };
+    return version();
+  },
+
+  /**
+   * Told from the same case made twice of fewer points, one in 256 and one in 16: some of the time it takes
+   * is the same however many points there are, the rest goes with them. Throws what making it throws.
+   */
+  async weigh({ base, sampling, cuts }: Case): Promise<Weight> {
+    await ready;
+    // Points that are given take no making.
+    if (base.kind === "files") return { points: 0, seconds: 0 };
+    const made = [16, 4].map((wider) => {
+      const spacing = Math.min(MAX_SPACING, wider * sampling.spacing);
+      const begun = performance.now();
+      const whole = generated(base, { ...sampling, spacing });
+      const { model } = finished(whole, sampling, cuts);
+      const seconds = (performance.now() - begun) / 1000;
+      const points = whole.info().points;
+      for (const used of [whole, model]) used.free();
+      return { density: spacing ** -2, points, seconds };
+    });
+    const [few, more] = made as [Sparse, Sparse];
+    const share = sampling.spacing ** -2 / more.density;
+    // The first time code runs it is slow: what seems to take less with more points takes the same.
+    const pace = few.density < more.density ? Math.max(0, more.seconds - few.seconds) / (more.density - few.density) : 0;
+    return { points: Math.round(more.points * share), seconds: more.seconds + pace * (sampling.spacing ** -2 - more.density) };
   },
 
   async make({ base, sampling, cuts }: Case): Promise<MadeCase> {
     await ready;
-    const { noise, outliers, seed } = sampling;
-    let model = (await cleanModel(base, sampling)).degraded({ noise, outliers, seed });
-    const { centre, diagonal } = placeOf(model);
-    const effects: CutEffect[] = [];
-    for (const cut of cuts) {
-      const rest = without(model, cut);
-      const left = new Set(numbersOf(rest));
-      effects.push({
-        points: model.info().points - rest.info().points,
-        vanished: numbersOf(model).filter((number) => !left.has(number)),
-      });
-      model.free();
-      model = rest;
-    }
+    const { model, losses, centre, diagonal } = finished(cleanModel(base, sampling), sampling, cuts);
     made?.free();
     made = model;
-    const positions = positionsOf(model, centre);
+    const positions = model.positionsAround(Float64Array.from(centre)) as Float32Array<ArrayBuffer>;
+    const thin = model.thin(sampling.spacing);
     const truth = truthOf(model);
     const buffers = [positions.buffer, ...(truth ? [truth.offsets.buffer, truth.indices.buffer] : [])];
-    return Comlink.transfer({ positions, centre, diagonal, truth, cuts: effects }, buffers);
+    return Comlink.transfer({ positions, centre, diagonal, truth, thin, cuts: losses }, buffers);
+  },
+
+  /** The points of the case made last that a ball would cut away. */
+  pointsInBall(centre: Vector, radius: number): Uint32Array {
+    const inside = made?.pointsInBall(Float64Array.from(centre), radius) ?? new Uint32Array();
+    return Comlink.transfer(inside, [inside.buffer]);
   },
 
   /** Of the case made last. */
-  texts(): CaseTexts {
+  files(wanted: string): CaseFiles {
     if (!made) throw new Error("There is no case yet.");
-    return made.info().hasTruth ? withTruth(made) : { cloud: made.cloud(), truth: undefined };
+    const name = fileName(wanted);
+    const texts: Partial<Texts> = made.info().hasTruth ? made.write() : { cloud: made.cloud() };
+    const files = ROLES.flatMap(({ name: role }): ModelFile[] => {
+      const text = texts[role];
+      return text === undefined ? [] : [{ path: pathOf("beside", name, role), role, data: new Blob([text], { type: "text/plain" }) }];
+    });
+    return { name, files };
   },
 };
 
-function withTruth(model: Model): CaseTexts {
-  const { cloud = "", primitives, parametric, implicit } = model.write();
-  return { cloud, truth: { primitives, parametric, implicit } };
-}
-
 function placeOf(model: Model): { centre: Vector; diagonal: number } {
   const [x = 0, y = 0, z = 0] = model.centre();
-  const { bounds } = model.info();
-  const sides = bounds ? [0, 1, 2].map((axis) => (bounds.max[axis] ?? 0) - (bounds.min[axis] ?? 0)) : [];
-  return { centre: [x, y, z], diagonal: Math.hypot(...sides) };
-}
-
-/** The points relative to a place other than the middle of what is left of them. */
-function positionsOf(model: Model, centre: Vector): Float32Array<ArrayBuffer> {
-  const positions = model.positions() as Float32Array<ArrayBuffer>;
-  const own = model.centre();
-  const shift = centre.map((coordinate, axis) => (own[axis] ?? 0) - coordinate);
-  if (shift.every((by) => by === 0)) return positions;
-  return positions.map((value, at) => value + (shift[at % 3] ?? 0));
+  return { centre: [x, y, z], diagonal: model.info().bounds?.diagonal ?? 0 };
 }
 
 function truthOf(model: Model): MadeTruth | undefined {
@@ -162,4 +188,5 @@ function truthOf(model: Model): MadeTruth | undefined {
 
 export type StudioWorker = typeof studio;
 
+stayAlive();
 Comlink.expose(studio);

@@ -1,11 +1,13 @@
 //! Diagnostics as plain objects.
 
 use fit4cad::diagnostics;
-use serde::Serialize;
-use tsify::Tsify;
+use serde::{Deserialize, Serialize};
+use tsify::{Ts, Tsify};
+use wasm_bindgen::JsError;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 /// How much a finding matters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// Worth knowing; nothing is lost.
@@ -26,19 +28,29 @@ impl From<diagnostics::Severity> for Severity {
     }
 }
 
+impl From<Severity> for diagnostics::Severity {
+    fn from(severity: Severity) -> Self {
+        match severity {
+            Severity::Note => Self::Note,
+            Severity::Warning => Self::Warning,
+            Severity::Error => Self::Error,
+        }
+    }
+}
+
 /// One finding about an input.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, Tsify)]
 pub struct DiagnosticInfo {
     /// How much it matters.
     pub severity: Severity,
     /// Path of the file as it was given.
     pub file: String,
     /// Line, from 1, where it is about one place.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[tsify(optional)]
     pub line: Option<u32>,
     /// Byte within the line, from 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[tsify(optional)]
     pub column: Option<u32>,
     /// What is wrong.
@@ -64,4 +76,28 @@ impl From<&diagnostics::Diagnostic> for DiagnosticInfo {
             hint: diagnostic.hint.clone(),
         }
     }
+}
+
+/// Findings as a compiler prints them, a line each, whatever names and texts hold:
+/// `file:line:column: severity: message (found …, expected …). hint`.
+///
+/// # Errors
+/// Only if the argument is not of the declared type.
+#[wasm_bindgen(js_name = oneLines)]
+pub fn one_lines(diagnostics: Vec<Ts<DiagnosticInfo>>) -> Result<Vec<String>, JsError> {
+    let line = |diagnostic: &Ts<DiagnosticInfo>| {
+        let it = diagnostic.to_rust()?;
+        let place = it.line.zip(it.column);
+        let line = diagnostics::OneLine {
+            severity: it.severity.into(),
+            file: &it.file,
+            position: place.map(|(line, column)| diagnostics::Position { line, column }),
+            message: &it.message,
+            found: &it.found,
+            expected: &it.expected,
+            hint: &it.hint,
+        };
+        Ok(line.to_string())
+    };
+    diagnostics.iter().map(line).collect()
 }

@@ -2,15 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use fit4cad::fit::parameters::TABLE;
 use fit4cad::fit::{self, Cancelled, Observer, Parameters, Stage};
 use js_sys::Function;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsError, JsValue};
 
-use crate::hand_over;
 use crate::model::Model;
 
 /// How surfaces are found.
@@ -21,15 +19,6 @@ pub enum FitMethod {
     Ht,
     /// Primitive growing from neighbourhoods.
     Pg,
-}
-
-impl FitMethod {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Ht => "HT",
-            Self::Pg => "PG",
-        }
-    }
 }
 
 impl From<FitMethod> for fit::Method {
@@ -45,48 +34,6 @@ impl From<FitMethod> for fit::Method {
 #[derive(Debug, Clone, Default, Deserialize, Tsify)]
 #[serde(transparent)]
 pub struct FitParameters(#[tsify(type = "Record<string, number>")] pub BTreeMap<String, f64>);
-
-/// What is to be known about one parameter of a fitter.
-#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
-pub struct ParameterInfo {
-    /// Name by which it is set.
-    pub name: &'static str,
-    /// Unit; empty for a plain number.
-    pub unit: &'static str,
-    /// Smallest value allowed.
-    pub minimum: f64,
-    /// Largest value allowed.
-    pub maximum: f64,
-    /// Value when nothing is said.
-    pub default: f64,
-    /// Whether only whole numbers make sense.
-    pub whole: bool,
-    /// What it does.
-    pub explanation: &'static str,
-}
-
-/// The parameters that a fitter heeds, in the order to show them.
-///
-/// # Errors
-/// If there is no such method.
-#[wasm_bindgen(js_name = fitParameters)]
-pub fn fit_parameters(method: Ts<FitMethod>) -> Result<Vec<Ts<ParameterInfo>>, JsError> {
-    let method = fit::Method::from(method.to_rust()?);
-    let heeded = TABLE.iter().filter(|info| info.methods.contains(&method));
-    heeded
-        .map(|info| {
-            hand_over(&ParameterInfo {
-                name: info.name,
-                unit: info.unit,
-                minimum: info.minimum,
-                maximum: info.maximum,
-                default: info.default,
-                whole: info.whole,
-                explanation: info.explanation,
-            })
-        })
-        .collect()
-}
 
 #[wasm_bindgen]
 impl Model {
@@ -105,7 +52,7 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "(stage: string, fraction: number) => void")]
         progress: Option<Function>,
     ) -> Result<String, JsValue> {
-        let method = method.to_rust().map_err(JsError::from)?;
+        let method = fit::Method::from(method.to_rust().map_err(JsError::from)?);
         let given = parameters.to_rust().map_err(JsError::from)?;
         let mut parameters = Parameters::default();
         for (name, value) in given.0 {
@@ -117,12 +64,12 @@ impl Model {
         };
         let cloud = &self.model.cloud;
         let seed = u64::from(seed);
-        let fitted = fit::fit(cloud, method.into(), &parameters, seed, &mut listener);
+        let fitted = fit::fit(cloud, method, &parameters, seed, &mut listener);
         let fitted = fitted.map_err(|cancelled| {
             let thrown = listener.thrown.take();
             thrown.unwrap_or_else(|| JsError::from(cancelled).into())
         })?;
-        let name = self.free_name(method.name());
+        let name = self.free_name(method.title());
         self.model.submit(&name, fitted.segmentation);
         Ok(name)
     }
@@ -130,7 +77,7 @@ impl Model {
 
 impl Model {
     /// `HT`, or `HT 2` where there is an `HT` already, and so on.
-    fn free_name(&self, method: &str) -> String {
+    pub(crate) fn free_name(&self, method: &str) -> String {
         let mut name = method.to_owned();
         let mut number = 2u32;
         while self.methods().any(|taken| taken == name) {

@@ -26,6 +26,10 @@ pub struct Override {
     #[serde(default)]
     #[tsify(optional)]
     pub method: Option<String>,
+    /// What its indices of points count from: 0, or 1 as the benchmark's do.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub first: Option<u8>,
 }
 
 /// What the caller knows better, by path.
@@ -44,6 +48,10 @@ pub struct PlacedFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[tsify(optional)]
     pub method: Option<String>,
+    /// What its indices of points count from, where the caller says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[tsify(optional)]
+    pub first: Option<u8>,
 }
 
 /// The files of one model.
@@ -95,6 +103,7 @@ pub fn group(
             role: known.role.map(format::Role::from),
             model: known.model,
             method: known.method,
+            first: known.first,
         };
         (path, known)
     });
@@ -122,6 +131,7 @@ impl From<format::PlacedFile> for PlacedFile {
             path: file.path,
             role: file.role.into(),
             method: file.method,
+            first: file.first,
         }
     }
 }

@@ -1,9 +1,12 @@
 //! The files of a model as they come from JavaScript.
 
-use fit4cad::format;
-use js_sys::Uint8Array;
+use std::borrow::Cow;
+
+use fit4cad::format::{self, limits};
+use js_sys::{Function, Uint8Array};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// What a file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Tsify)]
@@ -41,7 +44,8 @@ impl From<format::Role> for Role {
     }
 }
 
-/// One file of a model.
+/// One file of a model. Its content is asked for when its turn comes, and not at all where its size
+/// is beyond the limits.
 #[derive(Debug, Clone, Deserialize, Tsify)]
 pub struct InputFile {
     /// Path, for the diagnostics.
@@ -52,8 +56,56 @@ pub struct InputFile {
     #[serde(default)]
     #[tsify(optional)]
     pub method: Option<String>,
-    /// The content.
+    /// What its indices of points count from, 0 or 1; 1 where it is absent.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub first: Option<u8>,
+    /// Bytes of its content.
+    pub size: f64,
+    /// Gives the content; throws where it cannot be had.
     #[serde(with = "serde_wasm_bindgen::preserve")]
-    #[tsify(type = "Uint8Array")]
-    pub bytes: Uint8Array,
+    #[tsify(type = "() => Uint8Array")]
+    pub read: Function,
+}
+
+impl format::Source for InputFile {
+    fn path(&self) -> &str {
+        &self.path
+    }
+
+    fn role(&self) -> format::Role {
+        self.role.into()
+    }
+
+    fn method(&self) -> Option<&str> {
+        self.method.as_deref()
+    }
+
+    fn first(&self) -> u8 {
+        self.first.unwrap_or(1)
+    }
+
+    fn size(&self) -> u64 {
+        self.size as u64
+    }
+
+    fn content(&self) -> Result<Cow<'_, [u8]>, String> {
+        let bytes = self.read.call0(&JsValue::NULL).map_err(message)?;
+        let bytes: Uint8Array = bytes.dyn_into().map_err(message)?;
+        // The file may have grown since its size was taken.
+        if u64::from(bytes.length()) > limits::MAX_FILE_BYTES {
+            return Err("it is larger than it was said to be".to_owned());
+        }
+        Ok(Cow::Owned(bytes.to_vec()))
+    }
+}
+
+/// What was thrown, in words.
+fn message(thrown: JsValue) -> String {
+    let error = thrown.dyn_ref::<js_sys::Error>();
+    let text = error.map_or_else(
+        || js_sys::JsString::from(format!("{thrown:?}")),
+        js_sys::Error::message,
+    );
+    text.into()
 }

@@ -4,22 +4,41 @@
 //! generated from the Rust ones. Nothing is computed here: each function reads its arguments, calls
 //! the engine and hands the result over. Failures are JavaScript errors with a clear text.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
+#[cfg(all(test, target_arch = "wasm32"))]
+#[macro_use]
+extern crate fit4cad_testing;
+
 #[cfg(feature = "workshop")]
 mod audit;
+mod comparison;
+#[cfg(feature = "workshop")]
+mod declared;
 mod diagnostic;
 #[cfg(feature = "workshop")]
+mod export;
+#[cfg(feature = "workshop")]
+mod field;
+#[cfg(feature = "workshop")]
 mod fit;
+mod fitted;
 mod group;
 mod imperfect;
 mod input;
+mod keys;
 #[cfg(feature = "workshop")]
 mod lesson;
 mod lists;
 mod look;
 mod model;
+mod outcome;
 mod part;
+mod paths;
 mod primitive;
 mod report;
+#[cfg(feature = "workshop")]
+mod single;
 mod statistics;
 mod stop;
 #[cfg(feature = "workshop")]
@@ -28,9 +47,22 @@ mod summary;
 
 #[cfg(feature = "workshop")]
 pub use audit::{Audit, Corrected, Correction, Finding, FormAudit, PrimitiveAudit};
-pub use diagnostic::{DiagnosticInfo, Severity};
 #[cfg(feature = "workshop")]
-pub use fit::{FitMethod, FitParameters, ParameterInfo, fit_parameters};
+pub use comparison::compare_figures;
+pub use comparison::{Comparison, Difference, Outcome, Paired, SignedRank, compare};
+#[cfg(feature = "workshop")]
+pub use declared::{
+    Better, Declarations, FigureGroup, FigureInfo, FileKindInfo, FitterInfo, Group, MeasureInfo,
+    NormalisationInfo, ParameterInfo, PartInfo, ProtocolDifference, ProtocolInfo, RoleInfo,
+    ShapeInfo, StageInfo, SurfaceTypeInfo, Term, declarations,
+};
+pub use diagnostic::{DiagnosticInfo, Severity, one_lines};
+#[cfg(feature = "workshop")]
+pub use export::ExportInfo;
+#[cfg(feature = "workshop")]
+pub use field::{FieldReport, FieldRow, FigureScale, FigureSpread, Figures, distribution};
+#[cfg(feature = "workshop")]
+pub use fit::{FitMethod, FitParameters};
 pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
 pub use input::{InputFile, Role};
 #[cfg(feature = "workshop")]
@@ -46,15 +78,21 @@ pub use lesson::painting::{CountsInfo, PaintedScore};
 pub use lists::PointLists;
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
-pub use part::{PartInfo, SampleOptions, parts};
+pub use outcome::{Counted, Histogram};
+pub use part::SampleOptions;
+pub use paths::{Layout, file_name, path_of};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
 pub use report::{
-    Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
+    FitMeasures, Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
-pub use statistics::{DatasetStatistics, ModelStatistics, Spread, Types, dataset_statistics};
 #[cfg(feature = "workshop")]
-pub use studio::{Block, Operation, ShapeInfo, shapes};
-pub use summary::{Distribution, distribution};
+pub use single::{SingleInfo, Singles, VerdictInfo};
+pub use statistics::{
+    DatasetStatistics, ModelStatistics, Spread, TypeShares, Types, dataset_statistics,
+};
+#[cfg(feature = "workshop")]
+pub use studio::{Block, Losses, Operation, Thin};
+pub use summary::{Distribution, MethodSummary, Scores, summarise};
 
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;

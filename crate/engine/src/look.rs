@@ -2,7 +2,7 @@
 
 use fit4cad::cloud::normals::estimate_normals;
 use fit4cad::cloud::{Point, Vector};
-use fit4cad::surface::patch::{Mark, Patch};
+use fit4cad::surface::patch::Patch;
 use js_sys::{Float32Array, Uint8Array, Uint32Array};
 use serde::Serialize;
 use tsify::{Ts, Tsify};
@@ -35,7 +35,7 @@ pub struct PatchMesh {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     #[tsify(type = "Float32Array")]
     pub lines: Float32Array,
-    /// What each line is: 0 rim, 1 axis, 2 radius, 3 apex or centre (a line of no length).
+    /// What each line is: the number of a [`Mark`](fit4cad::surface::patch::Mark).
     #[serde(with = "serde_wasm_bindgen::preserve")]
     #[tsify(type = "Uint8Array")]
     pub marks: Uint8Array,
@@ -48,12 +48,7 @@ impl PatchMesh {
         let normals: Vec<f32> = patch.normals.iter().flat_map(|n| flat(n)).collect();
         let ends = patch.lines.iter().flat_map(|(_, ends)| ends);
         let lines: Vec<f32> = ends.flat_map(relative).collect();
-        let marks = patch.lines.iter().map(|(mark, _)| match mark {
-            Mark::Rim => 0,
-            Mark::Axis => 1,
-            Mark::Radius => 2,
-            Mark::Centre => 3,
-        });
+        let marks = patch.lines.iter().map(|(mark, _)| *mark as u8);
         Self {
             positions: positions.as_slice().into(),
             normals: normals.as_slice().into(),

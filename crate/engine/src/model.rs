@@ -4,20 +4,19 @@ use std::collections::BTreeMap;
 
 use fit4cad::cloud::Point;
 use fit4cad::diagnostics::Diagnostic;
-use fit4cad::format::{
-    SourceFile, model_number, read_model, write_cloud, write_primitives, write_surfaces,
-};
+use fit4cad::format::{self, model_number, write_cloud, write_primitives, write_surfaces};
 use fit4cad::metrics;
 use fit4cad::model::{self, Segmentation};
 use fit4cad::sample;
 use fit4cad::surface::Form;
-use js_sys::{Float32Array, Float64Array};
+use js_sys::{Float32Array, Float64Array, Uint32Array};
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::diagnostic::DiagnosticInfo;
+use crate::fitted::{Fitted, give_surfaces};
 use crate::hand_over;
 use crate::input::InputFile;
 use crate::lists::PointLists;
@@ -32,6 +31,8 @@ pub struct BoundsInfo {
     pub min: [f64; 3],
     /// Largest coordinates.
     pub max: [f64; 3],
+    /// Length of its diagonal.
+    pub diagonal: f64,
 }
 
 /// What a model holds.
@@ -54,6 +55,10 @@ pub struct ModelInfo {
     pub has_truth: bool,
     /// The methods that have a submission.
     pub methods: Vec<String>,
+    /// Those of them whose surfaces the engine fitted to given segments.
+    pub fitted: Vec<String>,
+    /// Whether it did so for the truth.
+    pub truth_fitted: bool,
     /// What is wrong with its files.
     pub diagnostics: Vec<DiagnosticInfo>,
 }
@@ -81,11 +86,23 @@ pub struct Model {
     diagnostics: Vec<Diagnostic>,
     /// The method each submitted file belongs to, by path.
     method_of_file: BTreeMap<String, String>,
+    /// Whether something was left to the whole engine.
+    wants_whole: bool,
+    /// Whose surfaces were fitted here.
+    pub(crate) fitted: Fitted,
 }
+
+/// Who reads files that are not the benchmark's own: the scorer leaves them to the whole engine.
+const READERS: format::Readers = if cfg!(feature = "workshop") {
+    format::Readers::ALL
+} else {
+    format::Readers::OWN
+};
 
 #[wasm_bindgen]
 impl Model {
-    /// Reads a model from its files. Whatever is wrong with their content is among the diagnostics.
+    /// Reads a model from its files, one content at a time, while they are within the limits. Whatever
+    /// is wrong with them is among the diagnostics.
     ///
     /// # Errors
     /// Only if the arguments are not of the declared types.
@@ -94,26 +111,26 @@ impl Model {
             .iter()
             .map(Ts::to_rust)
             .collect::<Result<Vec<InputFile>, _>>()?;
-        let contents: Vec<Vec<u8>> = files.iter().map(|file| file.bytes.to_vec()).collect();
-        let sources: Vec<SourceFile<'_>> = files
-            .iter()
-            .zip(&contents)
-            .map(|(file, bytes)| SourceFile {
-                path: &file.path,
-                role: file.role.into(),
-                method: file.method.as_deref(),
-                bytes,
-            })
-            .collect();
-        let (model, diagnostics) = read_model(name, &sources);
+        let mut reading = format::read_files(name, &files, &READERS);
+        let fitted = give_surfaces(&mut reading, &files);
+        let wants_whole = reading.unread || reading.bare.len() > fitted.len();
         let submitted = files
             .into_iter()
             .filter_map(|file| file.method.map(|method| (file.path, method)));
         Ok(Self {
-            model,
-            diagnostics,
+            model: reading.model,
+            diagnostics: reading.diagnostics,
             method_of_file: submitted.collect(),
+            wants_whole,
+            fitted,
         })
+    }
+
+    /// Whether the whole engine would make more of the files: the scorer leaves those of other programs,
+    /// and segments without surfaces.
+    #[wasm_bindgen(js_name = wantsWhole)]
+    pub fn wants_whole(&self) -> bool {
+        self.wants_whole
     }
 
     /// Makes a part of the generator's catalogue, named after it, with its truth.
@@ -141,6 +158,8 @@ impl Model {
             model: sample::degraded(&self.model, &options.degradation(), options.seed)?,
             diagnostics: self.diagnostics.clone(),
             method_of_file: BTreeMap::new(),
+            wants_whole: false,
+            fitted: Fitted::new(),
         })
     }
 
@@ -158,30 +177,51 @@ impl Model {
             bounds: (!bounds.is_empty()).then(|| BoundsInfo {
                 min: corner(bounds.min),
                 max: corner(bounds.max),
+                diagonal: bounds.diagonal(),
             }),
             has_truth: self.model.truth.is_some(),
             methods: self.methods().map(str::to_owned).collect(),
+            fitted: self.fitted.iter().flatten().cloned().collect(),
+            truth_fitted: self.fitted.contains(&None),
             diagnostics: self.diagnostics.iter().map(DiagnosticInfo::from).collect(),
         })
     }
 
     /// The points relative to [`Model::centre`], x y z after one another.
     pub fn positions(&self) -> Float32Array {
-        let centre = self.model.cloud.bounds().centre();
-        let points = self.model.cloud.points().iter();
-        let relative: Vec<f32> = points
-            .flat_map(|point| {
-                let offset = point - centre;
-                [offset.x as f32, offset.y as f32, offset.z as f32]
-            })
-            .collect();
-        Float32Array::from(relative.as_slice())
+        self.relative_to(self.model.cloud.bounds().centre())
+    }
+
+    /// The points relative to another place than their middle, so that what is cut away moves nothing.
+    ///
+    /// # Errors
+    /// If the place is not three numbers.
+    #[wasm_bindgen(js_name = positionsAround)]
+    pub fn positions_around(&self, centre: &[f64]) -> Result<Float32Array, JsError> {
+        let &[x, y, z] = centre else {
+            return Err(JsError::new("the centre is made of 3 numbers"));
+        };
+        Ok(self.relative_to(Point::new(x, y, z)))
     }
 
     /// The middle of the cloud's box, in the coordinates of the file.
     pub fn centre(&self) -> Float64Array {
         let centre = self.model.cloud.bounds().centre();
         Float64Array::from([centre.x, centre.y, centre.z].as_slice())
+    }
+
+    /// The number of each point in the cloud's file, counted from 1; absent where that is its index
+    /// and one, as in every file without rows that could not be read.
+    pub fn numbers(&self) -> Option<Uint32Array> {
+        let numbering = self.model.cloud.numbering();
+        if numbering.is_plain() {
+            return None;
+        }
+        let count = self.model.cloud.len() as u32;
+        let numbers: Vec<u32> = (0..count)
+            .map(|index| numbering.number(index) as u32)
+            .collect();
+        Some(Uint32Array::from(numbers.as_slice()))
     }
 
     /// The primitives of a method, or of the truth, in the order of their file.
@@ -234,7 +274,7 @@ impl Model {
         let segmentation = self.segmentation(method.as_deref())?;
         hand_over(&Texts {
             cloud: method.is_none().then(|| self.cloud()),
-            primitives: write_primitives(segmentation),
+            primitives: write_primitives(segmentation, self.model.cloud.numbering()),
             parametric: write_surfaces(segmentation, Form::Parametric),
             implicit: write_surfaces(segmentation, Form::Implicit),
         })
@@ -272,7 +312,21 @@ impl Model {
             model,
             diagnostics: Vec::new(),
             method_of_file: BTreeMap::new(),
+            wants_whole: false,
+            fitted: Fitted::new(),
         }
+    }
+
+    /// The points relative to a place, x y z after one another.
+    fn relative_to(&self, centre: Point) -> Float32Array {
+        let points = self.model.cloud.points().iter();
+        let relative: Vec<f32> = points
+            .flat_map(|point| {
+                let offset = point - centre;
+                [offset.x as f32, offset.y as f32, offset.z as f32]
+            })
+            .collect();
+        Float32Array::from(relative.as_slice())
     }
 
     pub(crate) fn methods(&self) -> impl Iterator<Item = &str> {

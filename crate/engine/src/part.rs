@@ -1,23 +1,8 @@
-//! The sample generator's parts and options.
+//! The sample generator's options.
 
 use fit4cad::sample;
-use serde::{Deserialize, Serialize};
-use tsify::{Ts, Tsify};
-use wasm_bindgen::JsError;
-use wasm_bindgen::prelude::wasm_bindgen;
-
-use crate::hand_over;
-
-/// A part that can be generated.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
-pub struct PartInfo {
-    /// Name by which it is asked for.
-    pub name: &'static str,
-    /// Name to be shown.
-    pub title: &'static str,
-    /// What it is and what is hard about it.
-    pub description: &'static str,
-}
+use serde::Deserialize;
+use tsify::Tsify;
 
 /// How a part becomes a cloud; lengths are fractions of the diagonal of its bounding box.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Tsify)]
@@ -55,22 +40,4 @@ impl From<SampleOptions> for sample::Options {
             missing: options.missing.unwrap_or(default.missing),
         }
     }
-}
-
-/// The parts that can be generated.
-///
-/// # Errors
-/// None in practice: plain values always cross.
-#[wasm_bindgen]
-pub fn parts() -> Result<Vec<Ts<PartInfo>>, JsError> {
-    let parts = sample::parts().iter();
-    parts
-        .map(|part| {
-            hand_over(&PartInfo {
-                name: part.name,
-                title: part.title,
-                description: part.description,
-            })
-        })
-        .collect()
 }

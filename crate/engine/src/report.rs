@@ -1,7 +1,7 @@
 //! A score as a plain object: the JSON of the command line.
 
 use fit4cad::{metrics, surface};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use tsify::Tsify;
 
 use crate::diagnostic::DiagnosticInfo;
@@ -17,6 +17,15 @@ pub enum Protocol {
     Published,
 }
 
+impl From<metrics::Protocol> for Protocol {
+    fn from(protocol: metrics::Protocol) -> Self {
+        match protocol {
+            metrics::Protocol::Definition => Self::Definition,
+            metrics::Protocol::Published => Self::Published,
+        }
+    }
+}
+
 impl From<Protocol> for metrics::Protocol {
     fn from(protocol: Protocol) -> Self {
         match protocol {
@@ -26,39 +35,39 @@ impl From<Protocol> for metrics::Protocol {
     }
 }
 
-/// The nine measures; `null` where one cannot be had.
+/// The measures by their keys; `null` where one cannot be had.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
-#[tsify(missing_as_null)]
-#[serde(rename_all = "UPPERCASE")]
-#[allow(missing_docs, reason = "each is said in `fit4cad::metrics::Measure`")]
-pub struct Measures {
-    pub dsc: Option<f64>,
-    pub ppv: Option<f64>,
-    pub tpr: Option<f64>,
-    pub tnr: Option<f64>,
-    pub npv: Option<f64>,
-    pub acc: Option<f64>,
-    pub mfe: Option<f64>,
-    #[serde(rename = "dHaus")]
-    pub d_haus: Option<f64>,
-    #[serde(rename = "d1")]
-    pub d1: Option<f64>,
+#[serde(transparent)]
+pub struct Measures(
+    #[serde(serialize_with = "by_key")]
+    #[tsify(type = "Record<Measure, number | null>")]
+    metrics::Measures,
+);
+
+fn by_key<S: Serializer>(measures: &metrics::Measures, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(
+        measures
+            .iter()
+            .map(|(measure, value)| (measure.name(), value)),
+    )
 }
 
-impl From<&metrics::Measures> for Measures {
-    fn from(measures: &metrics::Measures) -> Self {
-        Self {
-            dsc: measures.dsc,
-            ppv: measures.ppv,
-            tpr: measures.tpr,
-            tnr: measures.tnr,
-            npv: measures.npv,
-            acc: measures.acc,
-            mfe: measures.mfe,
-            d_haus: measures.d_haus,
-            d1: measures.d1,
-        }
-    }
+/// Those of predicted surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
+#[serde(transparent)]
+pub struct FitMeasures(
+    #[serde(serialize_with = "of_surfaces")]
+    #[tsify(type = "Record<AccuracyMeasure, number | null>")]
+    metrics::Measures,
+);
+
+fn of_surfaces<S: Serializer>(
+    measures: &metrics::Measures,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let own = measures.iter();
+    let own = own.filter(|(measure, _)| measure.group() == metrics::Group::Accuracy);
+    serializer.collect_map(own.map(|(measure, value)| (measure.name(), value)))
 }
 
 /// How one true primitive was recognised.
@@ -98,14 +107,9 @@ pub struct PredictionReport {
     /// DSC with that true primitive; 0 where there is none.
     #[serde(rename = "DSC")]
     pub dsc: Option<f64>,
-    /// Mean fitting error.
-    #[serde(rename = "MFE")]
-    pub mfe: Option<f64>,
-    /// Directed Hausdorff distance.
-    #[serde(rename = "dHaus")]
-    pub d_haus: Option<f64>,
-    /// Coefficient distance.
-    pub d1: Option<f64>,
+    /// How its surface fits.
+    #[serde(flatten)]
+    pub fit: FitMeasures,
     /// Whether its type is another than that of the true primitive.
     pub type_error: bool,
 }
@@ -120,6 +124,16 @@ pub struct TypeConfusion {
     pub matched: Vec<&'static str>,
     /// Number of true primitives, by row and column.
     pub counts: Vec<Vec<u32>>,
+}
+
+impl From<&metrics::hidden::TypeConfusion> for TypeConfusion {
+    fn from(types: &metrics::hidden::TypeConfusion) -> Self {
+        Self {
+            truth: names(&[surface::OTHER]),
+            matched: names(&[surface::OTHER, "Missed"]),
+            counts: types.table().map(Vec::from).to_vec(),
+        }
+    }
 }
 
 /// What the paper's measures hide. Primitives are given by their numbers.
@@ -189,7 +203,7 @@ impl Report {
             points: report.points as u32,
             truth: report.truth as u32,
             predicted: report.predicted as u32,
-            mean: Measures::from(&report.mean),
+            mean: Measures(report.mean),
             type_errors: report.type_errors as u32,
             primitives: truth_rows(report),
             predictions: prediction_rows(report),
@@ -208,7 +222,7 @@ fn truth_rows(report: &metrics::Report) -> Vec<TruthReport> {
             matched: matched.map(|prediction| prediction.number),
             kind: row.kind.map(SurfaceType::from),
             size: row.size as u32,
-            measures: Measures::from(&report.measures_of(place).unwrap_or_default()),
+            measures: Measures(report.measures_of(place).unwrap_or_default()),
         }
     })
     .collect()
@@ -225,9 +239,7 @@ fn prediction_rows(report: &metrics::Report) -> Vec<PredictionReport> {
         kind: row.kind.map(SurfaceType::from),
         size: row.size as u32,
         dsc: row.dsc,
-        mfe: row.mfe,
-        d_haus: row.d_haus,
-        d1: row.d1,
+        fit: FitMeasures(row.fit),
         type_error: row.type_error,
     })
     .collect()
@@ -248,11 +260,7 @@ fn hidden(report: &metrics::Report) -> Hidden {
         merged: truth(&hidden.merged),
         spurious: predictions(&hidden.spurious),
         prediction_dsc: hidden.prediction_dsc,
-        types: TypeConfusion {
-            truth: names(&["Other"]),
-            matched: names(&["Other", "Missed"]),
-            counts: hidden.types.table().map(Vec::from).to_vec(),
-        },
+        types: TypeConfusion::from(&hidden.types),
         labelled: hidden.labelled,
         truth_labelled: hidden.truth_labelled,
     }

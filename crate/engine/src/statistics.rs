@@ -26,6 +26,35 @@ pub struct Types {
     pub other: u32,
 }
 
+/// Share of true primitives of each type, 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Tsify)]
+#[serde(rename_all = "PascalCase")]
+#[allow(
+    missing_docs,
+    reason = "each is a type, and Other any that is none of the five"
+)]
+pub struct TypeShares {
+    pub plane: f64,
+    pub cylinder: f64,
+    pub cone: f64,
+    pub sphere: f64,
+    pub torus: f64,
+    pub other: f64,
+}
+
+impl From<[f64; 6]> for TypeShares {
+    fn from([plane, cylinder, cone, sphere, torus, other]: [f64; 6]) -> Self {
+        Self {
+            plane,
+            cylinder,
+            cone,
+            sphere,
+            torus,
+            other,
+        }
+    }
+}
+
 impl From<TypeCounts> for Types {
     fn from(counts: TypeCounts) -> Self {
         let [plane, cylinder, cone, sphere, torus, other] = counts.map(|count| count as u32);
@@ -137,6 +166,10 @@ pub struct DatasetStatistics {
     pub primitives: u32,
     /// True primitives by type: a bar chart of the paper.
     pub types: Types,
+    /// The share of each type in all true primitives; `null` without any.
+    pub type_shares: Option<TypeShares>,
+    /// Number of points that several true primitives list.
+    pub shared: f64,
     /// Share of all points that no true primitive lists.
     pub unsegmented: Option<f64>,
     /// Points of a model.
@@ -158,6 +191,15 @@ impl Model {
             &self.model,
         )))
     }
+
+    /// Counts the primitives of a method, or of the truth, by type.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    pub fn types(&self, method: Option<String>) -> Result<Ts<Types>, JsError> {
+        let segmentation = self.segmentation(method.as_deref())?;
+        hand_over(&Types::from(statistics::types_of(segmentation)))
+    }
 }
 
 /// Sums up what [`Model::statistics`] gave for each of a set of models.
@@ -178,6 +220,8 @@ pub fn dataset_statistics(
         points: set.points as f64,
         primitives: set.primitives as u32,
         types: set.types.into(),
+        type_shares: set.type_shares().map(TypeShares::from),
+        shared: set.shared as f64,
         unsegmented: set.unsegmented,
         points_per_model: set.points_per_model.map(Spread::from),
         primitives_per_model: set.primitives_per_model.map(Spread::from),

@@ -1,6 +1,7 @@
 //! Making a case: parts composed of blocks, and regions cut out of clouds.
 
 use fit4cad::sample::{self, Lasso, Region, SHAPES, blocks};
+use js_sys::Uint32Array;
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;
@@ -8,19 +9,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::model::Model;
 use crate::{SampleOptions, hand_over};
-
-/// A shape that blocks can have.
-#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
-pub struct ShapeInfo {
-    /// Name by which it is asked for.
-    pub name: &'static str,
-    /// Name to be shown.
-    pub title: &'static str,
-    /// Names of its sizes in order.
-    pub sizes: Vec<&'static str>,
-    /// A value to begin with for each size.
-    pub defaults: Vec<f64>,
-}
 
 /// What a block does to the part so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Tsify)]
@@ -49,22 +37,24 @@ pub struct Block {
     pub rotation: Vec<f64>,
 }
 
-/// The shapes that blocks can have.
-///
-/// # Errors
-/// None in practice: plain values always cross.
-#[wasm_bindgen]
-pub fn shapes() -> Result<Vec<Ts<ShapeInfo>>, JsError> {
-    let info = |shape: &sample::ShapeInfo| {
-        let (sizes, defaults) = shape.sizes.iter().copied().unzip();
-        hand_over(&ShapeInfo {
-            name: shape.name,
-            title: shape.title,
-            sizes,
-            defaults,
-        })
-    };
-    SHAPES.iter().map(info).collect()
+/// What a model has lost by cutting.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
+pub struct Losses {
+    /// How many points.
+    pub points: u32,
+    /// Numbers of the true primitives that lost their last point.
+    pub vanished: Vec<u32>,
+}
+
+/// Primitives with so few points that they are none to speak of.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+pub struct Thin {
+    /// Their numbers.
+    pub primitives: Vec<u32>,
+    /// They have fewer points than these.
+    pub fewest: u32,
+    /// How far neighbouring points lie apart, in the units of the file.
+    pub distance: f64,
 }
 
 #[wasm_bindgen]
@@ -88,16 +78,51 @@ impl Model {
         Ok(Self::of(sample::build(name, &part, &options)?))
     }
 
+    /// What was lost between this model and what is left of it.
+    ///
+    /// # Errors
+    /// None in practice: plain values always cross.
+    pub fn losses(&self, rest: &Model) -> Result<Ts<Losses>, JsError> {
+        let losses = sample::Losses::between(&self.model, &rest.model);
+        hand_over(&Losses {
+            points: losses.points as u32,
+            vanished: losses.vanished,
+        })
+    }
+
+    /// Which true primitives have too few points to tell their surface, where points were made at
+    /// this spacing, a share of the diagonal.
+    ///
+    /// # Errors
+    /// None in practice: plain values always cross.
+    pub fn thin(&self, spacing: f64) -> Result<Ts<Thin>, JsError> {
+        hand_over(&Thin {
+            primitives: sample::thin(&self.model),
+            fewest: sample::FEWEST_POINTS as u32,
+            distance: spacing * self.model.cloud.bounds().diagonal(),
+        })
+    }
+
+    /// Indices, ascending, of the points that [`Model::without_ball`] would cut away.
+    ///
+    /// # Errors
+    /// If the numbers describe no ball.
+    #[wasm_bindgen(js_name = pointsInBall)]
+    pub fn points_in_ball(&self, centre: &[f64], radius: f64) -> Result<Uint32Array, JsError> {
+        let ball = Region::ball(numbers("centre", centre)?, radius)?;
+        let inside = sample::points_in(&self.model, &ball);
+        Ok(Uint32Array::from(inside.as_slice()))
+    }
+
     /// The model without the points in a ball, and without its submissions. Primitives that lose
     /// every point are gone; the others keep their numbers.
     ///
     /// # Errors
-    /// If the centre is not three numbers.
+    /// If the numbers describe no ball.
     #[wasm_bindgen(js_name = withoutBall)]
     pub fn without_ball(&self, centre: &[f64], radius: f64) -> Result<Model, JsError> {
-        let [x, y, z] = numbers("centre", centre)?;
-        let centre = [x, y, z].into();
-        Ok(self.without(&Region::Ball { centre, radius }))
+        let ball = Region::ball(numbers("centre", centre)?, radius)?;
+        Ok(self.without(&ball))
     }
 
     /// The model without the points in a lasso: a polygon (x y per corner) in the plane through a

@@ -9,6 +9,7 @@ use fit4cad_engine::{Model, dataset_statistics};
 use js_sys::{JSON, Reflect, Uint8Array};
 use tsify::Ts;
 use wasm_bindgen::JsValue;
+use wasm_bindgen::closure::Closure;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// What JavaScript sees under a dotted path.
@@ -30,8 +31,11 @@ fn square(parametric: &str, implicit: &str) -> Model {
     let files = files.map(|(role, content)| {
         let path = format!("PC1_{role}.txt");
         let file = JSON::parse(&format!(r#"{{"path": "{path}", "role": "{role}"}}"#)).unwrap();
+        let length = JsValue::from(content.len() as f64);
+        Reflect::set(&file, &"size".into(), &length).unwrap();
         let bytes = Uint8Array::from(content.as_bytes());
-        Reflect::set(&file, &"bytes".into(), &bytes).unwrap();
+        let read = Closure::once_into_js(move || bytes);
+        Reflect::set(&file, &"read".into(), &read).unwrap();
         Ts::new_unchecked(file)
     });
     Model::read("PC1", files.into()).unwrap()

@@ -5,9 +5,12 @@
     reason = "clippy knows `#[test]`, not `#[wasm_bindgen_test]`"
 )]
 
-use fit4cad_engine::{Model, fit_parameters, group, parts, version};
-use js_sys::{JSON, Object, Reflect, Uint8Array};
+use fit4cad_engine::{
+    Model, compare, declarations, file_name, group, one_lines, path_of, summarise, version,
+};
+use js_sys::{Float64Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use tsify::{Ts, Tsify};
+use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsError, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -64,6 +67,12 @@ fn unit_square(primitives: &str) -> Model {
     ])
 }
 
+/// A function that gives the text as bytes.
+fn handing_over(content: &str) -> JsValue {
+    let bytes = Uint8Array::from(content.as_bytes());
+    Closure::once_into_js(move || bytes)
+}
+
 fn read(files: &[(&str, &str, Option<&str>, &str)]) -> Model {
     let files = files.iter().map(|&(path, role, method, content)| {
         let file = Object::new();
@@ -75,7 +84,8 @@ fn read(files: &[(&str, &str, Option<&str>, &str)]) -> Model {
         if let Some(method) = method {
             set("method", method.into());
         }
-        set("bytes", Uint8Array::from(content.as_bytes()).into());
+        set("size", (content.len() as f64).into());
+        set("read", handing_over(content));
         Ts::new_unchecked(file.into())
     });
     read_result(files.collect()).unwrap()
@@ -123,7 +133,7 @@ fn a_model_is_read_and_tells_what_it_holds() {
 
     let members = model.members(Some("MINE".to_owned())).unwrap();
     let offsets = at(members.js_value(), "offsets");
-    let offsets: js_sys::Uint32Array = offsets.dyn_into().unwrap();
+    let offsets: Uint32Array = offsets.dyn_into().unwrap();
     assert_eq!(offsets.to_vec(), [0, 3, 4]);
     assert_eq!(model.distances(None).unwrap().to_vec(), [0.0; 4]);
     let unknown = model.distances(Some("MINE".to_owned())).unwrap().to_vec();
@@ -173,7 +183,7 @@ fn what_is_not_there_or_not_of_its_type_is_an_error_with_a_text() {
     let error = read_result(vec![plain(r#"{"path": "PC1.txt", "role": "cloud"}"#)])
         .err()
         .unwrap();
-    assert!(message(error).contains("bytes"));
+    assert!(message(error).contains("size"));
     let error = Model::generate("teapot", plain("{}")).err().unwrap();
     assert!(message(error).contains("flange"));
     let error = Model::generate("flange", plain(r#"{"noise": -1}"#))
@@ -184,7 +194,8 @@ fn what_is_not_there_or_not_of_its_type_is_an_error_with_a_text() {
 
 #[wasm_bindgen_test]
 fn every_part_survives_being_written_and_read() {
-    for part in parts().unwrap() {
+    let parts = at(declarations().unwrap(), "parts");
+    for part in js_sys::Array::from(&parts) {
         let name = text(part, "name");
         let made = Model::generate(&name, plain(r#"{"spacing": 0.04, "seed": 3}"#)).unwrap();
         let texts = made.write(None).unwrap();
@@ -241,6 +252,133 @@ fn a_fit_is_a_submission_like_any_other_and_can_be_ended() {
         .fit(word("ht"), plain(r#"{"tolerance": 9}"#), 1, None)
         .unwrap_err();
     assert!(message(error).contains("`tolerance` must be"));
-    let known = fit_parameters(word("ht")).unwrap();
-    assert_eq!(text(known[0].js_value(), "name"), "tolerance");
+    let known = declarations().unwrap();
+    assert_eq!(text(known, "fitters.0.parameters.0.name"), "tolerance");
+}
+
+#[wasm_bindgen_test]
+fn one_call_sums_up_the_reports_of_all_methods() {
+    let scores = Object::new();
+    let set = |key: &str, value: JsValue| Reflect::set(&scores, &key.into(), &value).unwrap();
+    // Nine measures a row; the second report of HT has no DSC.
+    let rows: Vec<f64> = [0.5, f64::NAN, 1.0]
+        .into_iter()
+        .flat_map(|dsc| std::iter::once(dsc).chain([1.0; 8]))
+        .collect();
+    set("methods", JSON::parse(r#"["HT", "PG"]"#).unwrap());
+    set("method", Uint32Array::from([0, 0, 1].as_slice()).into());
+    set("measures", Float64Array::from(rows.as_slice()).into());
+    set("typeErrors", Uint32Array::from([2, 3, 0].as_slice()).into());
+    let sums = summarise(Ts::new_unchecked(scores.into())).unwrap();
+    let ht = sums[0].js_value();
+    assert_eq!(text(&ht, "method"), "HT");
+    assert_eq!(
+        (number(&ht, "models"), number(&ht, "typeErrors")),
+        (2.0, 5.0)
+    );
+    assert_eq!(number(&ht, "over.DSC.mean"), 0.5);
+    assert_eq!(number(&ht, "over.DSC.count"), 1.0);
+    assert_eq!(number(&ht, "over.PPV.count"), 2.0);
+    assert_eq!(text(sums[1].js_value(), "method"), "PG");
+}
+
+#[wasm_bindgen_test]
+fn figures_are_compared_measure_by_measure() {
+    let own = [0.9, 1.0, 1.0, 1.0, 1.0, 1.0, f64::NAN, 0.0, 0.0];
+    let theirs = [0.8, 1.0, 1.0, 1.0, 1.0, 1.0, 0.1, 0.1, 0.0];
+    let compared = compare(&own, &theirs).unwrap();
+    let measure = |place: usize| compared[place].js_value();
+    assert_eq!(text(measure(0), "mean.outcome"), "better");
+    assert_eq!(number(measure(0), "better"), 1.0);
+    assert!(at(measure(6), "differences.0").is_null() && at(measure(6), "own").is_null());
+    assert_eq!(text(measure(7), "differences.0.outcome"), "better");
+    assert_eq!(text(measure(8), "differences.0.outcome"), "even");
+    assert!(compare(&own, &theirs[..8]).is_err());
+}
+
+#[wasm_bindgen_test]
+fn points_have_outcomes_labels_and_distances() {
+    let model = unit_square("Primitive1:=[1 2];\n");
+    let mine = || Some("MINE".to_owned());
+    let outcomes = |truth, predicted| model.outcomes(mine(), truth, predicted).unwrap().to_vec();
+    assert_eq!(outcomes(Some(0), Some(0)), [1, 1, 3, 3]);
+    assert_eq!(outcomes(None, Some(0)), [2, 2, 0, 0]);
+    assert_eq!(outcomes(Some(7), None), [0; 4]);
+    assert_eq!(
+        model.figure("MINE".to_owned()).unwrap().to_vec(),
+        [1, 1, 0, 0]
+    );
+    assert_eq!(model.farthest(None).unwrap(), 0.0);
+    let wanted = vec![
+        plain(r#"{"places": [0]}"#),
+        plain(r#"{"method": "MINE", "places": [0]}"#),
+    ];
+    let counted = model.histogram(wanted, 2, false).unwrap();
+    let rows = |place: &str| Uint32Array::from(at(counted.js_value(), place)).to_vec();
+    // The submission has no surface to measure from.
+    assert_eq!(
+        (rows("counts.0"), rows("counts.1")),
+        (vec![4, 0], vec![0, 0])
+    );
+    assert_eq!(number(counted.js_value(), "edges.length"), 3.0);
+    assert_eq!(number(model.types(None).unwrap(), "Plane"), 1.0);
+}
+
+#[wasm_bindgen_test]
+fn paths_and_lines_are_the_same_for_every_face() {
+    let path = |layout: &str, model: &str, method: Option<&str>| {
+        let method = method.map(str::to_owned);
+        path_of(word(layout), model, word("primitives"), method).unwrap()
+    };
+    assert_eq!(
+        path("test-set", "set/PC1", Some("HT")),
+        "set/pointCloud_primitives_HT/PC1_primitives.txt"
+    );
+    assert_eq!(path("beside", "../PC1", None), "PC1_primitives.txt");
+    assert!(file_name("a:b").starts_with("a_b-"));
+    let finding = r#"{"severity": "error", "file": "a\nb", "line": 2, "column": 3,
+        "message": "No", "found": "x", "expected": "", "hint": "Mend it"}"#;
+    let bare = r#"{"severity": "note", "file": "a", "message": "No", "found": "", "expected": "", "hint": ""}"#;
+    let lines = one_lines(vec![plain(finding), plain(bare)]).unwrap();
+    assert_eq!(
+        lines,
+        [
+            "a\u{fffd}b:2:3: error: No (found x). Mend it",
+            "a: note: No"
+        ]
+    );
+}
+
+#[wasm_bindgen_test]
+fn a_case_knows_what_it_lost_and_what_is_thin() {
+    let whole = Model::generate("flange", plain(r#"{"spacing": 0.05}"#)).unwrap();
+    let info = whole.info().unwrap();
+    let corner =
+        |end: &str| [0, 1, 2].map(|axis| number(info.js_value(), &format!("bounds.{end}.{axis}")));
+    let (min, max) = (corner("min"), corner("max"));
+    let square: f64 = min
+        .iter()
+        .zip(max)
+        .map(|(min, max)| (max - min).powi(2))
+        .sum();
+    let diagonal = number(info.js_value(), "bounds.diagonal");
+    assert!((diagonal - square.sqrt()).abs() < 1e-12 * diagonal);
+
+    let inside = whole.points_in_ball(&max, 0.6 * diagonal).unwrap();
+    let rest = whole.without_ball(&max, 0.6 * diagonal).unwrap();
+    let losses = whole.losses(&rest).unwrap();
+    assert!(inside.length() > 0);
+    assert_eq!(
+        number(losses.js_value(), "points"),
+        f64::from(inside.length())
+    );
+    let thin = rest.thin(0.05).unwrap();
+    assert_eq!(number(thin.js_value(), "fewest"), 10.0);
+    assert!(number(thin, "distance") <= 0.05 * diagonal);
+    let around = rest.positions_around(&[0.0; 3]).unwrap();
+    assert_eq!(
+        f64::from(around.length()),
+        3.0 * number(rest.info().unwrap(), "points")
+    );
+    assert!(rest.positions_around(&[0.0]).is_err());
 }

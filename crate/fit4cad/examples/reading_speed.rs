@@ -3,8 +3,9 @@
 use std::fmt::Write;
 use std::time::Instant;
 
+use fit4cad::cloud::Numbering;
 use fit4cad::cloud::{Cloud, Point};
-use fit4cad::format::{Numbering, read_cloud, read_primitives, write_cloud};
+use fit4cad::format::{read_cloud, read_primitives, write_cloud};
 
 const POINTS: u32 = 400_000;
 const REPETITIONS: u32 = 5;

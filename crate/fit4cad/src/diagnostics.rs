@@ -78,24 +78,134 @@ pub struct Diagnostic {
     pub hint: String,
 }
 
-impl fmt::Display for Diagnostic {
-    /// `file:line:column: severity: message (found …, expected …). hint`
+/// A finding as a compiler prints it, in one line whatever names and texts hold:
+/// `file:line:column: severity: message (found …, expected …). hint`. What is empty is left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OneLine<'a> {
+    /// How much it matters.
+    pub severity: Severity,
+    /// Path of the file.
+    pub file: &'a str,
+    /// Where in the file.
+    pub position: Option<Position>,
+    /// What is wrong.
+    pub message: &'a str,
+    /// What was found.
+    pub found: &'a str,
+    /// What would have been right.
+    pub expected: &'a str,
+    /// What to do.
+    pub hint: &'a str,
+}
+
+impl<'a> From<&'a Diagnostic> for OneLine<'a> {
+    fn from(diagnostic: &'a Diagnostic) -> Self {
+        Self {
+            severity: diagnostic.severity,
+            file: &diagnostic.file,
+            position: diagnostic.position,
+            message: &diagnostic.message,
+            found: &diagnostic.found,
+            expected: &diagnostic.expected,
+            hint: &diagnostic.hint,
+        }
+    }
+}
+
+impl fmt::Display for OneLine<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.file)?;
+        write!(f, "{}", Plain(self.file))?;
         if let Some(Position { line, column }) = self.position {
             write!(f, ":{line}:{column}")?;
         }
-        write!(f, ": {}: {}", self.severity, self.message)?;
+        write!(f, ": {}: {}", self.severity, Plain(self.message))?;
+        let (found, expected) = (Plain(self.found), Plain(self.expected));
         match (self.found.is_empty(), self.expected.is_empty()) {
             (true, true) => {}
-            (false, true) => write!(f, " (found {})", self.found)?,
-            (true, false) => write!(f, " (expected {})", self.expected)?,
-            (false, false) => write!(f, " (found {}, expected {})", self.found, self.expected)?,
+            (false, true) => write!(f, " (found {found})")?,
+            (true, false) => write!(f, " (expected {expected})")?,
+            (false, false) => write!(f, " (found {found}, expected {expected})")?,
         }
         if self.hint.is_empty() {
             Ok(())
         } else {
-            write!(f, ". {}", self.hint)
+            write!(f, ". {}", Plain(self.hint))
         }
+    }
+}
+
+/// A text that came out of files, with a mark in the place of each character that would end the
+/// line or tell the terminal something.
+struct Plain<'a>(&'a str);
+
+impl fmt::Display for Plain<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use fmt::Write as _;
+        let unruly = |character: char| {
+            character.is_control() || matches!(character, '\u{2028}' | '\u{2029}')
+        };
+        self.0.chars().try_for_each(|character| {
+            f.write_char(if unruly(character) {
+                char::REPLACEMENT_CHARACTER
+            } else {
+                character
+            })
+        })
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    /// [`OneLine`].
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        OneLine::from(self).fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_finding_is_one_line_and_what_is_empty_leaves_no_trace() {
+        let full = OneLine {
+            severity: Severity::Warning,
+            file: "PC1.txt",
+            position: Some(Position { line: 3, column: 7 }),
+            message: "There is no number",
+            found: "x",
+            expected: "a coordinate",
+            hint: "Write one",
+        };
+        assert_eq!(
+            full.to_string(),
+            "PC1.txt:3:7: warning: There is no number (found x, expected a coordinate). Write one"
+        );
+        let bare = OneLine {
+            position: None,
+            found: "",
+            hint: "",
+            ..full
+        };
+        assert_eq!(
+            bare.to_string(),
+            "PC1.txt: warning: There is no number (expected a coordinate)"
+        );
+    }
+
+    #[test]
+    fn no_name_and_no_text_ends_the_line() {
+        let hostile = OneLine {
+            severity: Severity::Error,
+            file: "a\nb\u{1b}[2J",
+            position: None,
+            message: "x\u{2028}y",
+            found: "\r",
+            expected: "",
+            hint: "",
+        };
+        let text = hostile.to_string();
+        assert!(!text.chars().any(char::is_control), "{text:?}");
+        assert_eq!(text.lines().count(), 1);
+        assert!(text.starts_with("a\u{fffd}b\u{fffd}[2J: error:"));
     }
 }

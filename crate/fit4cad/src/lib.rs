@@ -9,15 +9,23 @@
 //! [`model::Submission`]) → [`metrics`] (makes a report). [`sample`] makes models with known truth,
 //! [`audit`] checks one, [`statistics`] counts what a set of models holds.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
+#[cfg(all(test, target_arch = "wasm32"))]
+#[macro_use]
+extern crate fit4cad_testing;
+
 pub mod audit;
 pub mod cloud;
 pub mod diagnostics;
 mod disjoint;
+pub mod export;
 pub mod fit;
 pub mod format;
 pub mod lesson;
 pub mod metrics;
 pub mod model;
+pub mod random;
 pub mod sample;
 pub mod statistics;
 pub mod surface;

@@ -4,12 +4,25 @@
 //! bar charts (section "The benchmark", figure "Surface type distribution").
 
 use crate::metrics::Distribution;
-use crate::model::Model;
+use crate::model::{Model, Segmentation};
 use crate::surface::SurfaceType;
 
 /// How many primitives there are of each type: those of [`SurfaceType::ALL`] in that order, then
 /// those of another type or of none.
 pub type TypeCounts = [usize; SurfaceType::ALL.len() + 1];
+
+/// Counts the primitives of a segmentation by type.
+pub fn types_of(segmentation: &Segmentation) -> TypeCounts {
+    let mut types = TypeCounts::default();
+    for primitive in &segmentation.primitives {
+        let is_kind = |kind: &SurfaceType| Some(*kind) == primitive.kind;
+        let column = SurfaceType::ALL.iter().position(is_kind);
+        if let Some(count) = types.get_mut(column.unwrap_or(SurfaceType::ALL.len())) {
+            *count += 1;
+        }
+    }
+    types
+}
 
 /// One model in numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,14 +42,9 @@ pub struct ModelStatistics {
 impl ModelStatistics {
     /// Counts a model. O(points + points listed).
     pub fn of(model: &Model) -> Self {
-        let mut types = TypeCounts::default();
+        let types = model.truth.as_ref().map_or(TypeCounts::default(), types_of);
         let mut listed = vec![0u8; model.cloud.len()];
         for primitive in model.truth.iter().flat_map(|truth| &truth.primitives) {
-            let is_kind = |kind: &SurfaceType| Some(*kind) == primitive.kind;
-            let column = SurfaceType::ALL.iter().position(is_kind);
-            if let Some(count) = types.get_mut(column.unwrap_or(SurfaceType::ALL.len())) {
-                *count += 1;
-            }
             for &index in &primitive.points {
                 if let Some(times) = listed.get_mut(index as usize) {
                     *times = times.saturating_add(1);
@@ -78,6 +86,8 @@ pub struct DatasetStatistics {
     pub types: TypeCounts,
     /// Share of all points that no true primitive lists, over the models that have a truth.
     pub unsegmented: Option<f64>,
+    /// Number of points that several true primitives list.
+    pub shared: usize,
     /// Points of a model.
     pub points_per_model: Option<Distribution>,
     /// True primitives of a model.
@@ -87,6 +97,12 @@ pub struct DatasetStatistics {
 }
 
 impl DatasetStatistics {
+    /// The share that each type has of the true primitives; `None` without any.
+    pub fn type_shares(&self) -> Option<[f64; SurfaceType::ALL.len() + 1]> {
+        let whole = self.primitives as f64;
+        (self.primitives > 0).then(|| self.types.map(|count| count as f64 / whole))
+    }
+
     /// Sums up models. O(n log n) in their number.
     pub fn of(models: &[ModelStatistics]) -> Self {
         let mut types = TypeCounts::default();
@@ -103,6 +119,7 @@ impl DatasetStatistics {
             points: models.iter().map(|model| model.points).sum(),
             primitives: types.iter().sum(),
             types,
+            shared: models.iter().map(|model| model.shared).sum(),
             unsegmented: (all > 0).then(|| all.saturating_sub(segmented) as f64 / all as f64),
             points_per_model: Distribution::of(models.iter().map(|model| model.points as f64)),
             primitives_per_model: Distribution::of(
@@ -161,6 +178,8 @@ mod tests {
         let set = DatasetStatistics::of(&[large, small, bare]);
         assert_eq!((set.models, set.points, set.primitives), (3, 18, 3));
         assert_eq!(set.types, [0, 0, 0, 3, 0, 0]);
+        assert_eq!(set.type_shares(), Some([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]));
+        assert_eq!(set.shared, 0);
         assert_eq!(set.unsegmented, Some(0.25));
         let spread = |figure: Option<Distribution>| {
             let Distribution {
@@ -176,6 +195,7 @@ mod tests {
     fn nothing_has_no_shares() {
         let set = DatasetStatistics::of(&[]);
         assert_eq!((set.models, set.unsegmented), (0, None));
+        assert_eq!(set.type_shares(), None);
         assert_eq!(set.points_per_model, None);
     }
 }

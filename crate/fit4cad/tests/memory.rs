@@ -1,5 +1,9 @@
 //! What a fit holds at its peak. One test alone: the count is of all threads.
 
+#[cfg(target_arch = "wasm32")]
+#[macro_use]
+extern crate fit4cad_testing;
+
 use fit4cad::fit::{Method, Parameters, fit};
 use fit4cad::sample::{self, Options};
 

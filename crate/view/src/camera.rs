@@ -1,6 +1,8 @@
 //! The camera: where it stands, what it sees, and the matrices that say so. Pure geometry.
 
 use glam::{Mat3, Mat4, Quat, Vec3};
+use tsify::Tsify;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::cloud::Bounds;
 
@@ -15,7 +17,8 @@ const MARGIN: f32 = 1.08;
 const HEIGHT_RANGE: (f32, f32) = (1e-18, 1e18);
 
 /// How depth is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Tsify)]
+#[serde(rename_all = "lowercase")]
 pub enum Projection {
     /// What is near looks larger.
     #[default]
@@ -25,6 +28,7 @@ pub enum Projection {
 }
 
 /// The directions a camera can be asked to look from. The z axis points up in the four sides.
+#[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Standpoint {
     /// From −y.
@@ -86,6 +90,21 @@ pub struct Camera {
     pub projection: Projection,
 }
 
+/// A camera as plain numbers, for links. Positions are relative to the cloud's centre.
+#[derive(Debug, Clone, Copy, PartialEq, Tsify)]
+pub struct CameraState {
+    /// The point in the middle of the view.
+    #[tsify(type = "readonly [number, number, number]")]
+    pub target: [f32; 3],
+    /// Unit quaternion x y z w: from the camera's axes to the cloud's.
+    #[tsify(type = "readonly [number, number, number, number]")]
+    pub rotation: [f32; 4],
+    /// Visible height at the target, in the cloud's units.
+    pub height: f32,
+    /// How depth is shown.
+    pub projection: Projection,
+}
+
 /// What the shaders need to know of a camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lens {
@@ -119,9 +138,6 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Number of values in [`Camera::state`].
-    pub const STATE_LEN: usize = 9;
-
     /// Unit vector to the right of the viewport.
     pub fn right(&self) -> Vec3 {
         self.rotation * Vec3::X
@@ -240,7 +256,7 @@ impl Camera {
     /// equal factors in equal times. The projection is the other's throughout.
     pub fn towards(&self, other: &Self, share: f32) -> Self {
         let share = share.clamp(0.0, 1.0);
-        if share >= 1.0 {
+        if share.is_nan() || share >= 1.0 {
             return *other;
         }
         Self {
@@ -251,33 +267,33 @@ impl Camera {
         }
     }
 
-    /// As plain numbers: target x y z, rotation x y z w, height, and 1 where orthographic.
-    pub fn state(&self) -> [f32; Self::STATE_LEN] {
-        let [x, y, z] = self.target.to_array();
-        let [i, j, k, w] = self.rotation.to_array();
-        let orthographic = f32::from(self.projection == Projection::Orthographic);
-        [x, y, z, i, j, k, w, self.height, orthographic]
+    /// As plain numbers.
+    pub fn state(&self) -> CameraState {
+        CameraState {
+            target: self.target.to_array(),
+            rotation: self.rotation.to_array(),
+            height: self.height,
+            projection: self.projection,
+        }
     }
 
-    /// From the numbers of [`Camera::state`]. `None` where they are no camera: wrong count, not
-    /// finite, no rotation or no height.
-    pub fn from_state(state: &[f32]) -> Option<Self> {
-        let &[x, y, z, i, j, k, w, height, orthographic] = state else {
-            return None;
-        };
-        let rotation = Quat::from_xyzw(i, j, k, w);
-        let usable = state.iter().all(|value| value.is_finite())
-            && rotation.length_squared() > 1e-12
-            && height > 0.0;
+    /// From the numbers of [`Camera::state`]. `None` where they are no camera: not finite, no
+    /// rotation or no height.
+    pub fn from_state(state: &CameraState) -> Option<Self> {
+        let target = Vec3::from_array(state.target);
+        let rotation = Quat::from_array(state.rotation);
+        let length = rotation.length_squared();
+        let usable = target.is_finite()
+            // Of finite numbers, but not of a finite length, it would become no rotation.
+            && length.is_finite()
+            && length > 1e-12
+            && state.height > 0.0
+            && state.height.is_finite();
         usable.then(|| Self {
-            target: Vec3::new(x, y, z),
+            target,
             rotation: rotation.normalize(),
-            height: clamp_height(height),
-            projection: if orthographic == 0.0 {
-                Projection::Perspective
-            } else {
-                Projection::Orthographic
-            },
+            height: clamp_height(state.height),
+            projection: state.projection,
         })
     }
 }
@@ -385,15 +401,18 @@ mod tests {
     fn numbers_that_are_no_camera_are_refused() {
         let good = Camera::default().state();
         assert!(Camera::from_state(&good).is_some());
-        assert!(Camera::from_state(&good[..8]).is_none());
-        for (index, value) in [(0, f32::NAN), (7, 0.0), (7, -1.0), (7, f32::INFINITY)] {
-            let mut bad = good;
-            bad[index] = value;
-            assert!(Camera::from_state(&bad).is_none(), "{index} {value}");
-        }
-        let mut still = good;
-        still[3..7].fill(0.0);
-        assert!(Camera::from_state(&still).is_none());
+        let with = |change: fn(&mut CameraState)| {
+            let mut state = good;
+            change(&mut state);
+            Camera::from_state(&state)
+        };
+        assert!(with(|state| state.target[0] = f32::NAN).is_none());
+        assert!(with(|state| state.height = 0.0).is_none());
+        assert!(with(|state| state.height = -1.0).is_none());
+        assert!(with(|state| state.height = f32::INFINITY).is_none());
+        assert!(with(|state| state.rotation = [0.0; 4]).is_none());
+        // Its length is no number of single precision.
+        assert!(with(|state| state.rotation = [1e30; 4]).is_none());
     }
 
     #[test]

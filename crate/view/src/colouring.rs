@@ -1,8 +1,11 @@
 //! What colours the points of one side: labels with a table, scalars with a range, or normals.
 
+use wasm_bindgen::prelude::wasm_bindgen;
+
 use crate::cloud::Cloud;
 
-/// What a label's points look like.
+/// What a label's points look like. A faded or hidden point is not found by the cursor.
+#[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum LabelState {

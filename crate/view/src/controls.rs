@@ -34,7 +34,7 @@ impl Camera {
     /// Drags the trackball: what is under the cursor follows it.
     pub fn drag(&mut self, from: Vec2, to: Vec2, radius: f32) {
         let turn = trackball(from, to, radius);
-        self.rotation = (self.rotation * turn.inverse()).normalize();
+        self.turn_by(turn.inverse());
     }
 
     /// Turns about the viewport's own axes, in radians: the cloud turns right with `yaw`, down
@@ -43,7 +43,15 @@ impl Camera {
         let turn = Quat::from_axis_angle(Vec3::Y, -yaw)
             * Quat::from_axis_angle(Vec3::X, -pitch)
             * Quat::from_axis_angle(Vec3::Z, -roll);
-        self.rotation = (self.rotation * turn).normalize();
+        self.turn_by(turn);
+    }
+
+    /// Turns in its own axes; stays where the turn is made of numbers that are none.
+    fn turn_by(&mut self, turn: Quat) {
+        let rotation = (self.rotation * turn).normalize();
+        if rotation.is_finite() {
+            self.rotation = rotation;
+        }
     }
 
     /// Moves the cloud across the viewport by so many pixels.
@@ -97,7 +105,9 @@ impl Flight {
         let share = ((now - start) / FLIGHT_MS).clamp(0.0, 1.0) as f32;
         // Smoothstep: starts and ends at rest.
         let eased = share * share * (3.0 - 2.0 * share);
-        (self.from.towards(&self.to, eased), share >= 1.0)
+        // A clock that tells no time ends the flight.
+        let over = share.is_nan() || share >= 1.0;
+        (self.from.towards(&self.to, eased), over)
     }
 }
 
@@ -122,6 +132,21 @@ mod tests {
         let bounds = Bounds::new(Vec3::splat(-2.0), Vec3::splat(2.0));
         let lens = camera.lens(200.0, 200.0, &bounds);
         lens.view_projection.project_point3(point).truncate() * 100.0
+    }
+
+    #[test]
+    fn a_turn_by_numbers_that_are_none_is_no_turn() {
+        for number in [f32::NAN, f32::INFINITY, f32::MAX] {
+            let mut camera = front();
+            camera.turn(number, 0.0, number);
+            camera.drag(Vec2::new(number, 0.0), Vec2::new(0.0, number), 100.0);
+            camera.drag(Vec2::ZERO, Vec2::splat(number), number);
+            assert!(camera.rotation.is_finite() && camera.rotation.is_normalized());
+        }
+        let there = front().from_standpoint(Standpoint::Top);
+        let mut flight = Flight::new(front(), there);
+        flight.at(0.0);
+        assert_eq!(flight.at(f64::NAN), (there, true));
     }
 
     #[test]

@@ -1,7 +1,10 @@
 //! How the canvas is divided among the two views. Rectangles are in pixels, y up, as in WebGL.
 
-/// One of the two things compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+use tsify::Tsify;
+
+/// One of the two things compared: by custom 0 the truth and 1 the prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Tsify)]
+#[tsify(type = "0 | 1")]
 pub enum Side {
     /// Truth, by custom.
     #[default]
@@ -30,16 +33,22 @@ impl Side {
 }
 
 /// How the views share the canvas.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Tsify)]
+#[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Layout {
     /// One view alone.
-    Single(Side),
+    Single {
+        /// What it shows.
+        side: Side,
+    },
     /// Side by side; one above the other where the canvas is taller than wide.
     #[default]
     Split,
     /// Both in the same place: the first to the left of a movable border, the second to its right.
-    /// The number is the border's position, 0 left to 1 right.
-    Wipe(f32),
+    Wipe {
+        /// The border's position, 0 left to 1 right.
+        at: f32,
+    },
 }
 
 /// A rectangle of pixels.
@@ -124,7 +133,7 @@ impl Panes {
         };
         let [first, second] = Side::BOTH;
         match layout {
-            Layout::Single(side) => Self {
+            Layout::Single { side } => Self {
                 panes: [pane(side, whole, whole); 2],
                 count: 1,
             },
@@ -147,7 +156,7 @@ impl Panes {
                     count: 2,
                 }
             }
-            Layout::Wipe(at) => {
+            Layout::Wipe { at } => {
                 let border = (at.clamp(0.0, 1.0) * width as f32).round() as i32;
                 let left = Rect::new(0, 0, border, height);
                 let right = Rect::new(border, 0, width - border, height);
@@ -211,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_wipe_shows_both_sides_through_one_viewport() {
-        let panes = Panes::new(Layout::Wipe(0.25), 200, 100);
+        let panes = Panes::new(Layout::Wipe { at: 0.25 }, 200, 100);
         let (first, second) = (
             panes.of(Side::First).unwrap(),
             panes.of(Side::Second).unwrap(),
@@ -224,26 +233,26 @@ mod tests {
     #[test]
     fn a_wipe_may_lie_beyond_either_end() {
         assert_eq!(
-            Panes::new(Layout::Wipe(-1.0), 10, 10)
+            Panes::new(Layout::Wipe { at: -1.0 }, 10, 10)
                 .at(0.0, 0.0)
                 .unwrap()
                 .side,
             Side::Second
         );
         assert_eq!(
-            Panes::new(Layout::Wipe(9.0), 10, 10)
+            Panes::new(Layout::Wipe { at: 9.0 }, 10, 10)
                 .at(9.5, 0.0)
                 .unwrap()
                 .side,
             Side::First
         );
-        let nowhere = Panes::new(Layout::Wipe(f32::NAN), 10, 10);
+        let nowhere = Panes::new(Layout::Wipe { at: f32::NAN }, 10, 10);
         assert_eq!(nowhere.at(0.0, 5.0).unwrap().side, Side::Second);
     }
 
     #[test]
     fn nothing_is_outside_the_canvas() {
-        let panes = Panes::new(Layout::Single(Side::Second), 10, 10);
+        let panes = Panes::new(Layout::Single { side: Side::Second }, 10, 10);
         assert!(panes.at(-0.5, 5.0).is_none() && panes.at(5.0, 10.0).is_none());
         assert!(panes.of(Side::First).is_none());
     }

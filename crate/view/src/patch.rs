@@ -1,86 +1,29 @@
-//! Patches of fitted surfaces: translucent meshes with their rims, axes, radii and apexes.
+//! Patches of fitted surfaces as the page gives them: triangles, and lines with their meaning.
 
-use glam::{Vec2, Vec3};
+use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::camera::Lens;
-use crate::gl::{Buffer, Gl, GlError, Program, VertexArray};
 use crate::layout::Side;
-use crate::lines::{Line, LineBuffer, Lines};
-use crate::scene::Scene;
 
-const VERTEX: &str = "
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-uniform mat4 view_projection;
-uniform vec3 eye;
-uniform vec3 towards;   // to the viewer where all rays are parallel, else 0
-uniform float lift;
-out vec3 outer;
-out vec3 ray;
-
-void main() {
-    ray = towards == vec3(0.0) ? normalize(eye - position) : towards;
-    outer = normal;
-    // Lifted off its own points, which it would otherwise cover in speckles.
-    gl_Position = view_projection * vec4(position + ray * lift, 1.0);
-}
-";
-
-const FRAGMENT: &str = "
-in vec3 outer;
-in vec3 ray;
-uniform vec3 colour;
-uniform float opacity;
-uniform float facing;   // 1 draws what faces the viewer, -1 the rest
-out vec4 fragment;
-
-void main() {
-    float slant = dot(normalize(outer), normalize(ray));
-    if (slant * facing < 0.0) discard;
-    float sheen = pow(abs(slant), 24.0) * 0.35;
-    // Seen at a slant there is more of a translucent sheet to look through.
-    float cover = opacity * mix(1.6, 1.0, abs(slant));
-    fragment = vec4(mix(colour, vec3(1.0), sheen), min(cover, 1.0));
-}
-";
-
-const UNIFORMS: [&str; 7] = [
-    "view_projection",
-    "eye",
-    "towards",
-    "lift",
-    "colour",
-    "opacity",
-    "facing",
-];
-
-/// Opacity of a patch seen straight on.
-const OPACITY: f32 = 0.34;
-/// Opacity of lines that lie behind points.
-const BEHIND: f32 = 0.4;
-
-/// What a line of a patch stands for.
+/// What a line of a patch stands for. The numbers are those of the engine's patches.
+#[wasm_bindgen(js_name = PatchMark)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// Border of the patch.
-    Rim,
+    Rim = 0,
     /// Axis.
-    Axis,
+    Axis = 1,
     /// Radius.
-    Radius,
+    Radius = 2,
     /// Apex or centre: a dot.
-    Centre,
+    Centre = 3,
 }
 
 impl Mark {
-    /// The mark of that number (0 rim, 1 axis, 2 radius, 3 centre); unknown numbers are rims.
+    /// The mark of that number; unknown numbers are rims.
     pub fn from_number(number: u8) -> Self {
-        match number {
-            1 => Self::Axis,
-            2 => Self::Radius,
-            3 => Self::Centre,
-            _ => Self::Rim,
-        }
+        let marks = [Self::Axis, Self::Radius, Self::Centre].into_iter();
+        let mut marks = marks.filter(|&mark| mark as u8 == number);
+        marks.next().unwrap_or(Self::Rim)
     }
 }
 
@@ -137,183 +80,6 @@ impl SurfacePatch {
         self.lines = marks.zip(ends.iter().copied()).collect();
         self
     }
-
-    fn styled_lines(&self, ink: [u8; 3]) -> impl Iterator<Item = Line> {
-        let of_patch = self.colour;
-        self.lines.iter().map(move |&(mark, [a, b, c, d, e, f])| {
-            let ([r, g, blue], width) = match mark {
-                Mark::Rim => (of_patch, 2.0),
-                Mark::Axis => (ink, 1.4),
-                Mark::Radius => (ink, 2.0),
-                Mark::Centre => (ink, 7.0),
-            };
-            Line {
-                from: [a, b, c],
-                to: [d, e, f],
-                colour: [r, g, blue, 255],
-                width,
-            }
-        })
-    }
-}
-
-/// Where a patch's triangles are in the common index buffer.
-#[derive(Debug, Clone, Copy)]
-struct Piece {
-    side: Side,
-    colour: Vec3,
-    centre: Vec3,
-    first: i32,
-    count: i32,
-}
-
-/// The patches on the graphics card.
-#[derive(Debug)]
-pub struct Patches {
-    program: Program,
-    array: VertexArray,
-    vertices: Buffer,
-    indices: Buffer,
-    lines: [LineBuffer; 2],
-    pieces: Vec<Piece>,
-    uploaded: Option<(u64, [u8; 3])>,
-}
-
-impl Patches {
-    /// Without patches.
-    ///
-    /// # Errors
-    /// [`GlError`] if the driver refuses a shader or gives no object.
-    pub fn new(gl: &Gl) -> Result<Self, GlError> {
-        let (vertices, indices) = (Buffer::vertices(gl)?, Buffer::indices(gl)?);
-        let array = VertexArray::new(gl)?;
-        array.bind(gl);
-        array.floats(gl, &vertices, 0, 3, 24, 0);
-        array.floats(gl, &vertices, 1, 3, 24, 12);
-        indices.bind(gl);
-        gl.bind_vertex_array(None);
-        Ok(Self {
-            program: Program::new(gl, "", VERTEX, FRAGMENT, &UNIFORMS)?,
-            array,
-            vertices,
-            indices,
-            lines: [LineBuffer::new(gl)?, LineBuffer::new(gl)?],
-            pieces: Vec::new(),
-            uploaded: None,
-        })
-    }
-
-    /// Uploads what has changed: patches, or the ink that marks are drawn with.
-    pub fn sync(&mut self, gl: &Gl, scene: &Scene) {
-        let ink = scene
-            .display
-            .ink
-            .to_array()
-            .map(|channel| (channel * 255.0).round() as u8);
-        let current = Some((scene.patches.revision(), ink));
-        if self.uploaded == current {
-            return;
-        }
-        self.uploaded = current;
-        let patches = scene.patches.get();
-        let (mut vertices, mut indices) = (Vec::new(), Vec::new());
-        self.pieces.clear();
-        for patch in patches {
-            let before = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-            let first = i32::try_from(indices.len()).unwrap_or(i32::MAX);
-            indices.extend(
-                patch
-                    .triangles
-                    .iter()
-                    .map(|corner| corner.saturating_add(before)),
-            );
-            let count = i32::try_from(patch.triangles.len()).unwrap_or(i32::MAX);
-            let sum: Vec3 = patch
-                .vertices
-                .iter()
-                .map(|&[x, y, z, ..]| Vec3::new(x, y, z))
-                .sum();
-            self.pieces.push(Piece {
-                side: patch.side,
-                colour: Vec3::from_array(patch.colour.map(|channel| f32::from(channel) / 255.0)),
-                centre: sum / patch.vertices.len().max(1) as f32,
-                first,
-                count,
-            });
-            vertices.extend_from_slice(&patch.vertices);
-        }
-        self.vertices.upload(gl, &vertices);
-        // Bound with its vertex array: an index buffer belongs to the array.
-        self.array.bind(gl);
-        self.indices.upload(gl, &indices);
-        gl.bind_vertex_array(None);
-        for (side, buffer) in Side::BOTH.into_iter().zip(&mut self.lines) {
-            let lines: Vec<Line> = patches
-                .iter()
-                .filter(|patch| patch.side == side)
-                .flat_map(|patch| patch.styled_lines(ink))
-                .collect();
-            buffer.upload(gl, &lines);
-        }
-    }
-
-    /// Draws the patches of a side, farthest first, and their lines over the points already in the
-    /// depth buffer.
-    pub fn draw(
-        &mut self,
-        gl: &Gl,
-        lines: &Lines,
-        side: Side,
-        lens: &Lens,
-        (viewport, pixel_ratio, lift): (Vec2, f32, f32),
-    ) {
-        if self.pieces.is_empty() {
-            return;
-        }
-        gl.enable(Gl::BLEND);
-        gl.depth_mask(false);
-        let program = &self.program;
-        program.activate(gl);
-        program.set_mat4(gl, "view_projection", &lens.view_projection);
-        program.set_vec3(gl, "eye", lens.eye);
-        let towards = (!lens.perspective).then_some(lens.rotation * Vec3::Z);
-        program.set_vec3(gl, "towards", towards.unwrap_or(Vec3::ZERO));
-        program.set_f32(gl, "lift", lift);
-        program.set_f32(gl, "opacity", OPACITY);
-        self.array.bind(gl);
-        let eye = lens.eye;
-        let distance = |piece: &Piece| match towards {
-            Some(towards) => (eye - piece.centre).dot(towards),
-            None => eye.distance(piece.centre),
-        };
-        self.pieces
-            .sort_unstable_by(|a, b| distance(b).total_cmp(&distance(a)));
-        for piece in self.pieces.iter().filter(|piece| piece.side == side) {
-            program.set_vec3(gl, "colour", piece.colour);
-            // Of one patch the far side first: most are convex, or nearly.
-            for facing in [-1.0, 1.0] {
-                program.set_f32(gl, "facing", facing);
-                let offset = piece.first.saturating_mul(4);
-                gl.draw_elements_with_i32(Gl::TRIANGLES, piece.count, Gl::UNSIGNED_INT, offset);
-            }
-        }
-        gl.bind_vertex_array(None);
-        if let Some(buffer) = self.lines.get(side.index()) {
-            // An axis lies inside its points: what they hide shows through faintly.
-            for (test, opacity) in [(Gl::GREATER, BEHIND), (Gl::LEQUAL, 1.0)] {
-                gl.depth_func(test);
-                lines.draw(
-                    gl,
-                    buffer,
-                    &lens.view_projection,
-                    viewport,
-                    (pixel_ratio, opacity),
-                );
-            }
-        }
-        gl.depth_mask(true);
-        gl.disable(Gl::BLEND);
-    }
 }
 
 #[cfg(test)]
@@ -335,20 +101,23 @@ mod tests {
     }
 
     #[test]
+    fn marks_have_the_numbers_that_the_engine_gives_them() {
+        use fit4cad::surface::patch::Mark as Given;
+        let pairs = [
+            (Given::Rim, Mark::Rim),
+            (Given::Axis, Mark::Axis),
+            (Given::Radius, Mark::Radius),
+            (Given::Centre, Mark::Centre),
+        ];
+        for (given, mark) in pairs {
+            assert_eq!(Mark::from_number(given as u8), mark);
+        }
+    }
+
+    #[test]
     fn lines_without_a_mark_are_left_out() {
         let patch =
             SurfacePatch::new(Side::First, [0; 3], &[], &[], &[]).with_lines(&[0.0; 12], &[3]);
         assert_eq!(patch.lines, [(Mark::Centre, [0.0; 6])]);
-    }
-
-    #[test]
-    fn marks_take_the_ink_and_rims_the_colour_of_the_patch() {
-        let patch = SurfacePatch::new(Side::First, [9, 8, 7], &[], &[], &[])
-            .with_lines(&[0.0; 12], &[0, 1]);
-        let colours: Vec<_> = patch
-            .styled_lines([1, 1, 1])
-            .map(|line| line.colour)
-            .collect();
-        assert_eq!(colours, [[9, 8, 7, 255], [1, 1, 1, 255]]);
     }
 }

@@ -2,16 +2,18 @@
 //! made again from here.
 
 use glam::{Vec3, Vec4};
+use tsify::Tsify;
 
 use crate::camera::{Camera, Lens};
 use crate::cloud::{Bounds, Cloud};
 use crate::colouring::{Colouring, Revised};
 use crate::layout::{Layout, Pane, Panes, Side};
 use crate::patch::SurfacePatch;
-use crate::points::{PointScale, Sight};
+use crate::sight::{PointScale, Sight};
 
 /// How large points are drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Tsify)]
+#[serde(tag = "unit", content = "value", rename_all = "lowercase")]
 pub enum PointSize {
     /// A multiple of the cloud's spacing: nearer points are larger and surfaces stay closed.
     Spacing(f32),
@@ -191,14 +193,17 @@ impl Scene {
         let thinned = cloud.len() as f32 / drawn.max(1) as f32;
         let growth = thinned.sqrt().clamp(1.0, LARGEST_GROWTH);
         let ratio = frame.pixel_ratio;
+        let ratio = if ratio.is_finite() { ratio } else { 1.0 };
+        // Never less than a pixel, whatever the ratio.
+        let greatest = (GREATEST * ratio).max(1.0);
         match self.display.point_size {
             PointSize::Spacing(factor) => PointScale {
                 diameter: cloud.spacing() * factor * growth,
                 least: (1.5 * ratio * growth.sqrt()).max(1.0),
-                greatest: GREATEST * ratio,
+                greatest,
             },
             PointSize::Pixels(pixels) => {
-                let pixels = (pixels * ratio * growth.sqrt()).clamp(1.0, GREATEST * ratio);
+                let pixels = (pixels * ratio * growth.sqrt()).clamp(1.0, greatest);
                 PointScale {
                     diameter: 0.0,
                     least: pixels,
@@ -235,6 +240,26 @@ mod tests {
             scene.bounds_of(Side::First, &[]),
             *scene.cloud.get().bounds()
         );
+    }
+
+    #[test]
+    fn points_are_at_least_a_pixel_whatever_the_ratio() {
+        let mut scene = four_points();
+        for pixel_ratio in [0.0, -1.0, 1e-9, f32::NAN, f32::INFINITY] {
+            for size in [PointSize::Pixels(2.0), PointSize::Spacing(2.0)] {
+                scene.display.point_size = size;
+                let frame = Frame {
+                    width: 0,
+                    height: 0,
+                    pixel_ratio,
+                };
+                let scale = scene.point_scale(&frame, 4);
+                assert!(
+                    scale.least >= 1.0 && scale.greatest >= scale.least,
+                    "{scale:?}"
+                );
+            }
+        }
     }
 
     #[test]

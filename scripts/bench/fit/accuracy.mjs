@@ -3,11 +3,24 @@
 import { METHODS, fitted, summary } from "./fitted.mjs";
 import { evenly } from "./models.mjs";
 
+/** @typedef {import("./fitted.mjs").Method} Method */
+/** @typedef {import("./fitted.mjs").Fitted} Fitted */
+/** @typedef {import("./fitted.mjs").Summary} Summary */
+/** @typedef {Partial<Record<Method, number>>} Bars */
+/**
+ * @typedef {{ id: keyof Summary, label: string, show: (value: number) => string, least?: Bars, most?: Bars }} Figure
+ * @param {number} value
+ */
 const share = (value) => value.toFixed(4);
+/** @param {number} value */
 const error = (value) => value.toExponential(1);
+/** @param {number} value */
 const seconds = (value) => value.toFixed(3);
 
-/** What is to be reached on the training set. Errors are over the diagonal of each primitive's points. */
+/**
+ * What is to be reached on the training set. Errors are over the diagonal of each primitive's points.
+ * @type {readonly Figure[]}
+ */
 const FIGURES = [
   { id: "dsc", label: "mean DSC", show: share, least: { ht: 0.985, pg: 0.95 } },
   { id: "worst", label: "DSC of the worst model", show: share, least: { ht: 0.75, pg: 0.6 } },
@@ -23,8 +36,14 @@ const FIGURES = [
 /** Models with less are listed by name. */
 const SHORT = 0.95;
 
+/**
+ * @param {import("../../lib/bench.mjs").Bench} bench
+ * @param {import("./models.mjs").Known} known
+ * @param {{ most: number }} how
+ */
 export function accuracy(bench, { real, list }, { most }) {
   const chosen = evenly(list, most);
+  /** @type {Record<Method, (Fitted & { model: string })[]>} */
   const fits = { ht: [], pg: [] };
   for (const { name, open } of chosen) {
     const model = open();
@@ -33,14 +52,14 @@ export function accuracy(bench, { real, list }, { most }) {
     }
     model.free();
   }
-  const summaries = METHODS.map((method) => summary(fits[method]));
+  const summaries = { ht: summary(fits.ht), pg: summary(fits.pg) };
   bench.table({
     title: `${chosen.length} ${real ? "training models" : "generated parts"}`,
     note: real ? "In brackets what is to be reached." : undefined,
     head: ["", "HT", "PG"],
     rows: FIGURES.map((figure) => [
       figure.label,
-      ...METHODS.map((method, at) => judged(figure, method, summaries[at][figure.id], real)),
+      ...METHODS.map((method) => judged(figure, method, summaries[method][figure.id], real)),
     ]),
   });
   for (const method of METHODS) {
@@ -48,6 +67,12 @@ export function accuracy(bench, { real, list }, { most }) {
   }
 }
 
+/**
+ * @param {Figure} figure
+ * @param {Method} method
+ * @param {number} value
+ * @param {boolean} real
+ */
 function judged({ show, least, most }, method, value, real) {
   const text = show(value);
   const [bar, sign] = least ? [least[method], "≥"] : [most?.[method], "≤"];
@@ -57,6 +82,11 @@ function judged({ show, least, most }, method, value, real) {
   return { text, bar: `${sign} ${bar}`, met: least ? value >= bar : value <= bar };
 }
 
+/**
+ * @param {import("../../lib/bench.mjs").Bench} bench
+ * @param {Method} method
+ * @param {readonly (Fitted & { model: string })[]} fits
+ */
 function short(bench, method, fits) {
   const below = fits
     .filter(({ report }) => (report.mean.DSC ?? 0) < SHORT)

@@ -1,16 +1,29 @@
 // One fit, and what it is worth.
 
+import { FITTERS } from "../../../www/generated/declared/fitters.js";
 import { mean, median, timed } from "../../lib/bench.mjs";
 
-export const METHODS = ["ht", "pg"];
+/** @typedef {import("../../../bin/engine/engine.js").FitMethod} Method */
+/** @typedef {import("../../../bin/engine/engine.js").Report} Report */
+/** @typedef {ReturnType<typeof fitted>} Fitted */
+/** @typedef {ReturnType<typeof summary>} Summary */
 
-/** Fits and scores by definition: `{ seconds, report, name }`. */
+export const METHODS = FITTERS.map(({ name }) => name);
+
+/**
+ * Fits and scores by definition: `{ seconds, report, name }`.
+ * @param {import("../../../bin/engine/engine.js").Model} model
+ * @param {Method} method
+ */
 export function fitted(model, method) {
-  const { value: name, seconds } = timed(() => model.fit(method, {}, 1));
+  const { value: name, seconds } = timed(() => model.fit(method, {}, 1, () => {}));
   return { name, seconds, report: model.score(name, "definition") };
 }
 
-/** The figures of many fits of one method; missing ones are NaN. */
+/**
+ * The figures of many fits of one method; missing ones are NaN.
+ * @param {readonly Pick<Fitted, "report" | "seconds">[]} fits
+ */
 export function summary(fits) {
   const reports = fits.map(({ report }) => report);
   const seconds = fits.map((fit) => fit.seconds);
@@ -29,7 +42,10 @@ export function summary(fits) {
   };
 }
 
-/** How many true primitives of a known type have a match, and how many of these matches are of that type. */
+/**
+ * How many true primitives of a known type have a match, and how many of these matches are of that type.
+ * @param {readonly Report[]} reports
+ */
 function types(reports) {
   let [right, matched] = [0, 0];
   for (const { primitives, predictions } of reports) {
@@ -44,6 +60,7 @@ function types(reports) {
   return { right, matched };
 }
 
+/** @param {readonly (number | null)[]} values */
 function meanOfKnown(values) {
   return mean(values.filter((value) => value !== null));
 }

@@ -3,9 +3,17 @@
 import { METHODS } from "./fitted.mjs";
 import { evenly, generated } from "./models.mjs";
 
+/** @typedef {import("./fitted.mjs").Method} Method */
+/** @typedef {{ name: string, free: number, claimed: Record<Method, number> }} Claims points */
+
 /** With fewer unsegmented points than this share, a model says nothing about free-form regions. */
 const LEAST_SHARE = 0.01;
 
+/**
+ * @param {import("../../lib/bench.mjs").Bench} bench
+ * @param {import("./models.mjs").Known} known
+ * @param {{ most: number }} how
+ */
 export function freeForm(bench, { real, list }, { most }) {
   const groups = [
     { label: "generated parts", models: evenly(generated(bench.engine), most) },
@@ -26,12 +34,22 @@ export function freeForm(bench, { real, list }, { most }) {
   });
 }
 
+/**
+ * @param {string} label
+ * @param {readonly Claims[]} found
+ */
 function row(label, found) {
   const free = sum(found.map((each) => each.free));
+  /** @param {Method} method */
   const share = (method) => `${((100 * sum(found.map(({ claimed }) => claimed[method]))) / free).toFixed(2)} %`;
   return [label, String(free), ...METHODS.map(share)];
 }
 
+/**
+ * @param {string} name
+ * @param {import("./models.mjs").Entry["open"]} open
+ * @returns {Claims[]}
+ */
 function claimsOf(name, open) {
   const model = open();
   try {
@@ -41,18 +59,23 @@ function claimsOf(name, open) {
     if (free < LEAST_SHARE * points) {
       return [];
     }
-    const claimed = {};
-    for (const method of METHODS) {
-      const taken = listed(model, model.fit(method, {}, 1), points);
-      claimed[method] = sum(taken.map((one, at) => one & (1 - truth[at])));
-    }
-    return [{ name, free, claimed }];
+    /** @param {Method} method */
+    const claimed = (method) => {
+      const taken = listed(model, model.fit(method, {}, 1, () => {}), points);
+      return sum(taken.map((one, at) => one & (1 - (truth[at] ?? 0))));
+    };
+    return [{ name, free, claimed: { ht: claimed("ht"), pg: claimed("pg") } }];
   } finally {
     model.free();
   }
 }
 
-/** 1 for each point that some primitive lists. */
+/**
+ * 1 for each point that some primitive lists.
+ * @param {import("../../../bin/engine/engine.js").Model} model
+ * @param {string | undefined} method
+ * @param {number} points
+ */
 function listed(model, method, points) {
   const marks = new Uint8Array(points);
   for (const index of model.members(method).indices) {
@@ -61,6 +84,7 @@ function listed(model, method, points) {
   return marks;
 }
 
+/** @param {ArrayLike<number>} values */
 function sum(values) {
-  return values.reduce((total, value) => total + value, 0);
+  return Array.from(values).reduce((total, value) => total + value, 0);
 }

@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { initSync, Model, type Protocol, type Report, type Role } from "../../../bin/engine/engine.js";
+import { held } from "../../../scripts/lib/input.mjs";
 
 export const ROOT = join(import.meta.dirname, "../../..");
 
@@ -52,7 +53,7 @@ function filesWith(model: Model, name: string, method: string): Fixture[] {
 export function scoreOf(files: readonly Fixture[], protocol: Protocol = "definition", method = METHOD): Report {
   const model = Model.read(
     "",
-    files.map(({ path, text }) => ({ ...roleOf(path), path, bytes: new TextEncoder().encode(text) })),
+    files.map(({ path, text }) => held({ ...roleOf(path), path }, new TextEncoder().encode(text))),
   );
   const report = model.score(method, protocol);
   model.free();
@@ -77,4 +78,18 @@ export function scoreOfFit(part: string, method: "HT" | "PG", protocol: Protocol
   const files = filesWith(model, part, name);
   model.free();
   return scoreOf(files, protocol, name);
+}
+
+/** What the files of fits of a model score, each with the defaults of its method. */
+export function reportsOfFits(name: string, files: readonly Fixture[], methods: readonly ("HT" | "PG")[]): Report[] {
+  const model = Model.read(
+    name,
+    files.map(({ path, text }) => held({ ...roleOf(path), path }, new TextEncoder().encode(text))),
+  );
+  const reports = methods.map((method) => {
+    const submission = model.fit(method === "HT" ? "ht" : "pg", {}, 1, () => {});
+    return { ...scoreOf(filesWith(model, name, submission), "definition", submission), model: name };
+  });
+  model.free();
+  return reports;
 }

@@ -1,6 +1,7 @@
 // A page that must not complain: every test fails on console errors and uncaught exceptions.
 
 import { test as base, expect, type Locator, type Page } from "@playwright/test";
+import { MEASURES } from "../../../www/shared/formats/measures.mjs";
 
 export { expect };
 
@@ -36,17 +37,17 @@ export function row(page: Page, model: string): Locator {
 
 /** The measures shown in a row of the summary, to the last digit. */
 export async function measuresIn(summaryRow: Locator): Promise<Record<string, number | null>> {
-  return summaryRow.evaluate((element) => {
+  return summaryRow.evaluate((element, known) => {
     const heads = [...(element.closest("table")?.querySelectorAll("thead th") ?? [])];
-    const names = heads.map((head) => head.querySelector(".sort")?.textContent?.replace(/[↑↓]/, "") ?? "");
-    const wanted = new Set(["DSC", "PPV", "TPR", "TNR", "NPV", "ACC", "MFE", "dHaus", "d1"]);
+    const names = heads.map((head) => head.querySelector(".sort")?.textContent.replace(/[↑↓]/, "") ?? "");
+    const wanted = new Set<string>(known);
     const values: Record<string, number | null> = {};
     [...element.children].forEach((cell, at) => {
       const name = names[at] ?? "";
       if (wanted.has(name)) values[name] = cell.hasAttribute("title") ? Number(cell.getAttribute("title")) : null;
     });
     return values;
-  });
+  }, MEASURES);
 }
 
 /** Keeps a picture of the page where a person can leaf through them. */

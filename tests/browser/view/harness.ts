@@ -2,7 +2,7 @@
 
 import { bytes, rgb, segmentTable } from "../../../www/app/view/palette";
 import { PointView } from "../../../www/app/view/point-view";
-import { LabelState, PatchMark, ViewUnavailable } from "../../../www/app/view/types";
+import { LabelState, PatchMark, Standpoint, ViewUnavailable } from "../../../www/app/view/types";
 
 /** Half the edges of the block. */
 const HALF = [1, 0.7, 0.5] as const;
@@ -68,6 +68,6 @@ async function rest(): Promise<void> {
 }
 
 const view = await PointView.create(canvas);
-const harness = { view, canvas, block, bytes, decode, count, rest, segmentTable, LabelState, PatchMark, PointView, ViewUnavailable };
+const harness = { view, canvas, block, bytes, decode, count, rest, segmentTable, LabelState, PatchMark, PointView, Standpoint, ViewUnavailable };
 export type Harness = typeof harness;
 Object.assign(window, { harness });

@@ -2,7 +2,7 @@
 
 import { computed } from "@preact/signals";
 import { download } from "../export/download";
-import { safe } from "../export/submission";
+import { engineVersion } from "../export/results";
 import { zip } from "../export/zip";
 import { notify } from "../state/notices";
 import type { ZipEntry } from "../../worker/zip";
@@ -17,15 +17,9 @@ interface CorrectedModel {
 /** The models of which a vector was wrong and another told what is right. */
 export const corrected = computed<readonly CorrectedModel[]>(() =>
   audited.value.flatMap(({ entry: { id }, outcome }) => {
-    const answer = outcome?.kind === "answered" ? outcome.answer.corrected : undefined;
-    if (!answer || answer.corrections.length === 0) return [];
-    // A model's name may hold the folder that tells it from its namesake.
-    const name = id.split("/").map(safe).join("/");
-    const files = (["parametric", "implicit"] as const).flatMap((form) => {
-      const text = answer[form];
-      return text === undefined ? [] : [{ path: `${name}_${form}.txt`, data: new Blob([text], { type: "text/plain" }) }];
-    });
-    return [{ id, vectors: answer.corrections.length, files }];
+    if (outcome?.kind !== "answered" || outcome.answer.corrections.length === 0) return [];
+    const { corrections, corrected: files } = outcome.answer;
+    return [{ id, vectors: corrections.length, files }];
   }),
 );
 
@@ -33,13 +27,14 @@ export const corrected = computed<readonly CorrectedModel[]>(() =>
 export async function saveCorrected(): Promise<void> {
   const lines = audited.value.flatMap(({ entry: { id }, outcome }) =>
     outcome?.kind === "answered"
-      ? (outcome.answer.corrected?.corrections ?? []).map(
+      ? outcome.answer.corrections.map(
           ({ primitive, form, from }) => `${id}, primitive ${primitive}: ${form} form converted from the ${from} form`,
         )
       : [],
   );
-  const note = { path: "corrections.txt", data: new Blob([`${lines.join("\n")}\n`], { type: "text/plain" }) };
   try {
+    const about = `Corrected by Fit4CAD engine ${await engineVersion()}.`;
+    const note = { path: "corrections.txt", data: new Blob([`${[about, ...lines].join("\n")}\n`], { type: "text/plain" }) };
     download("corrected.zip", await zip([...corrected.value.flatMap(({ files }) => files), note]));
   } catch (error) {
     notify(error instanceof Error ? error.message : String(error), "error");

@@ -68,7 +68,8 @@ export default function AuditPanel(): JSX.Element {
 
 function summary(findings: readonly FoundIn[]): string {
   const done = audited.value.filter(({ outcome }) => outcome !== undefined);
-  const clean = done.filter(({ entry }) => !findings.some(({ model }) => model === entry.id)).length;
+  const wrong = new Set(findings.map(({ model }) => model));
+  const clean = done.filter(({ entry }) => !wrong.has(entry.id)).length;
   const counts = SEVERITIES.flatMap((severity) => {
     const count = findings.filter((finding) => finding.severity === severity).length;
     return count > 0 ? [plural(count, severity)] : [];

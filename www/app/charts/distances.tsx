@@ -1,77 +1,136 @@
 // How far points are from the surfaces of their primitives, for the model that is looked at.
 
 import type { JSX } from "preact";
-import { computed, signal } from "@preact/signals";
-import type { SegmentationScene } from "../../worker/protocol";
+import { computed, effect, signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import type { ModelSource, SegmentationScene } from "../../worker/protocol";
+import { engine } from "../engine/client";
+import { latest } from "../engine/latest";
 import { partnersOf, segmentationOf, segmentColours } from "../stage/colouring";
 import { reports } from "../stage/reports";
+import { modelById } from "../state/models";
+import { notify } from "../state/notices";
 import { scene } from "../state/scene";
 import { selectedModel, selectedPrimitive, togglePrimitive, type PrimitiveRef, type Side } from "../state/selection";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
-import { BINS, binsTo, blocksOf, largest, type Bins, type Block } from "./bins";
 import { Chart } from "./figure";
 import { decades, drawn, leading, Plot, tick, type Frame } from "./plot";
 
-interface Coloured extends Block {
+/** Points of one primitive whose distances lie in one interval, on top of those of the primitives before it. */
+interface Block {
+  readonly place: number;
+  readonly bin: number;
+  /** Bounds of the interval. */
+  readonly low: number;
+  readonly high: number;
+  /** Number of points below this block in its bar, and with it. */
+  readonly from: number;
+  readonly to: number;
   readonly side: Side;
   readonly series: string;
   readonly colour: string;
   readonly number: number;
 }
 
-interface Half {
+/** What is drawn of one side. */
+interface Wanted {
   readonly side: Side;
   readonly series: string;
-  readonly blocks: readonly Coloured[];
+  readonly method: string | undefined;
+  readonly segmentation: SegmentationScene;
+  readonly places: readonly number[];
+  readonly colours: readonly string[];
 }
 
-interface Histogram {
+/** What is to be drawn: the engine is asked for its counts. */
+interface Question {
+  readonly source: ModelSource;
   readonly model: string;
   /** The selected primitive in words; absent where it is about all of them. */
   readonly primitive: string | undefined;
-  readonly bins: Bins;
+  readonly logarithmic: boolean;
+  readonly sides: readonly Wanted[];
+}
+
+interface Half {
+  readonly side: Side;
+  readonly series: string;
+  readonly blocks: readonly Block[];
+  /** Points in each interval. */
+  readonly counts: readonly number[];
+}
+
+interface Histogram extends Question {
+  readonly edges: Float64Array;
   readonly halves: readonly Half[];
 }
+
+/** Intervals of a histogram. */
+const BINS = 24;
 
 /** Most points lie close to their surface: on a linear axis they are all one bar. */
 const logarithmic = signal(true);
 
-const histogram = computed<Histogram | undefined>(() => {
+const question = computed<Question | undefined>(() => {
   const state = scene.value;
   const model = selectedModel.value;
-  if (state.kind !== "ready" || model === undefined) return undefined;
+  const source = modelById(model)?.source;
+  if (state.kind !== "ready" || model === undefined || source?.key !== state.scene.key) return undefined;
   const { method, rival } = state.scene;
   const selected = selectedPrimitive.value;
   const partners = selected && partnersOf(reports.value, selected);
+  const methods = { truth: undefined, prediction: method, rival: rival?.method };
   const series = { truth: "Truth", prediction: method ?? "", rival: rival?.method ?? "" };
-  const wanted = (["truth", "prediction", "rival"] as const).flatMap((side) => {
+  const sides = (["truth", "prediction", "rival"] as const).flatMap((side): Wanted[] => {
     const segmentation = segmentationOf(state.scene, side);
     if (!segmentation) return [];
     const only = partners?.[side];
     const places = !partners ? segmentation.primitives.map((_, place) => place) : only === undefined ? [] : [only];
-    return [{ side, series: series[side], segmentation, places, colours: segmentColours(side, reports.value, segmentation.primitives.length) }];
+    const colours = segmentColours(side, reports.value, segmentation.primitives.length);
+    return [{ side, series: series[side], method: methods[side], segmentation, places, colours }];
   });
-  const limit = Math.max(0, ...wanted.map(({ segmentation, places }) => largest(segmentation, places)));
-  const bins = binsTo(limit, logarithmic.value);
-  return {
-    model,
-    primitive: selected && nameOf(selected, segmentationOf(state.scene, selected.side), series[selected.side]),
-    bins,
-    halves: wanted.map(({ side, series, segmentation, places, colours }) => ({
-      side,
-      series,
-      blocks: blocksOf(segmentation, places, bins).map((block) => ({
-        ...block,
-        side,
-        series,
-        colour: colours[block.place + 1] ?? UNSEGMENTED,
-        number: segmentation.primitives[block.place]?.number ?? block.place + 1,
-      })),
-    })),
-  };
+  const primitive = selected && nameOf(selected, segmentationOf(state.scene, selected.side), series[selected.side]);
+  return { source, model, primitive, logarithmic: logarithmic.value, sides };
 });
+
+/** The last answer. */
+const histogram = signal<Histogram | undefined>(undefined);
+
+/** Selections may change faster than they are counted. */
+const count = latest(async (asked: Question | undefined) => {
+  if (!asked) {
+    histogram.value = undefined;
+    return;
+  }
+  const wanted = asked.sides.map(({ method, places }) => ({ ...(method !== undefined && { method }), places: [...places] }));
+  const { edges, counts } = await engine.run((api) => api.histogram(asked.source, wanted, BINS, asked.logarithmic));
+  histogram.value = { ...asked, edges, halves: asked.sides.map((side, at) => halfOf(side, counts[at] ?? new Uint32Array(), edges)) };
+});
+
+/** Counts what is in view, and what comes into it, until the result is called. */
+function follow(): () => void {
+  return effect(() => {
+    count(question.value).catch((error: unknown) => notify(error instanceof Error ? error.message : String(error), "error"));
+  });
+}
+
+/** Stacks the primitives' counts: a bar of blocks over each interval. */
+function halfOf({ side, series, segmentation, places, colours }: Wanted, rows: Uint32Array, edges: Float64Array): Half {
+  const heights = new Array<number>(BINS).fill(0);
+  const blocks = places.flatMap((place, row) =>
+    Array.from(rows.subarray(row * BINS, (row + 1) * BINS)).flatMap((points, bin): Block[] => {
+      if (points === 0) return [];
+      const from = heights[bin] ?? 0;
+      heights[bin] = from + points;
+      const number = segmentation.primitives[place]?.number ?? place + 1;
+      const interval = { bin, low: edges[bin] ?? 0, high: edges[bin + 1] ?? 0 };
+      return [{ ...interval, place, from, to: from + points, side, series, colour: colours[place + 1] ?? UNSEGMENTED, number }];
+    }),
+  );
+  return { side, series, blocks, counts: heights };
+}
 
 function nameOf({ side, index }: PrimitiveRef, segmentation: SegmentationScene | undefined, series: string): string | undefined {
   const whose = { truth: "true primitive", prediction: "predicted primitive", rival: `primitive of ${series},` }[side];
@@ -86,13 +145,13 @@ interface Row {
   readonly counts: readonly number[];
 }
 
-function rowsOf({ bins: { edges, logarithmic }, halves }: Histogram): Row[] {
+function rowsOf({ edges, logarithmic, halves }: Histogram): Row[] {
   return Array.from({ length: BINS }, (_, bin) => ({
     bin,
     // Everything smaller is in the first one.
     low: logarithmic && bin === 0 ? 0 : (edges[bin] ?? 0),
     high: edges[bin + 1] ?? 0,
-    counts: halves.map(({ blocks }) => blocks.reduce((most, block) => (block.bin === bin ? Math.max(most, block.to) : most), 0)),
+    counts: halves.map(({ counts }) => counts[bin] ?? 0),
   }));
 }
 
@@ -114,6 +173,7 @@ function columnsOf({ halves }: Histogram): Column<Row>[] {
 }
 
 export function DistanceChart(): JSX.Element | null {
+  useEffect(follow, []);
   const current = histogram.value;
   if (!current) return null;
   const title = `Distances to the surface, ${current.primitive ? `${current.primitive} of ` : ""}${current.model}`;
@@ -131,8 +191,8 @@ export function DistanceChart(): JSX.Element | null {
   );
 }
 
-function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
-  const [low, high] = [bins.edges[0] ?? 0, bins.edges.at(-1) ?? 1];
+function draw(frame: Frame, { edges, logarithmic, halves }: Histogram): SVGSVGElement {
+  const [low, high] = [edges[0] ?? 0, edges.at(-1) ?? 1];
   const blocks = halves.flatMap((half) => half.blocks);
   const names = halves.map(({ side }) => side);
   const series = halves.map((half) => ({ side: half.side, text: half.series }));
@@ -142,12 +202,12 @@ function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
     marginTop: 12,
     marginBottom: 38,
     marginRight: 16,
-    x: { domain: [low, high], type: bins.logarithmic ? "log" : "linear", label: "Distance →" },
+    x: { domain: [low, high], type: logarithmic ? "log" : "linear", label: "Distance →" },
     y: { label: null, nice: true },
     fy: { domain: names, axis: null, padding: 0.12 },
     marks: [
       Plot.gridY({ stroke: frame.line, strokeOpacity: 1, ticks: 4 }),
-      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: bins.logarithmic ? decades(low, high) : tick }),
+      Plot.axisX({ label: "Distance →", ticks: Math.max(2, Math.floor(frame.width / 90)), tickFormat: logarithmic ? decades(low, high) : tick }),
       Plot.axisY({ label: null, ticks: 4, tickFormat: format.shortCount }),
       Plot.rect(blocks, {
         fy: "side",
@@ -159,7 +219,7 @@ function draw(frame: Frame, { bins, halves }: Histogram): SVGSVGElement {
         insetRight: 0.5,
         fill: "colour",
         className: "bins",
-        title: ({ series: of, number, low, high, from, to }: Coloured) =>
+        title: ({ series: of, number, low, high, from, to }: Block) =>
           `${of}, primitive ${number}: ${format.integer(to - from)} points from ${low.toPrecision(3)} to ${high.toPrecision(3)}`,
         ...leading(blocks, ({ side, place }) => togglePrimitive({ side, index: place })),
       }),

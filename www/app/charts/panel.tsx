@@ -1,8 +1,10 @@
 // What tables hide: how measures are spread, and where a method fails.
 
 import type { JSX } from "preact";
-import { signal } from "@preact/signals";
-import { CLASSIFICATION_MEASURES, ACCURACY_MEASURES, MEASURE_TEXT } from "../measures/measures";
+import { signal, type Signal } from "@preact/signals";
+import type { AccuracyMeasure } from "../engine/contract";
+import { ACCURACY_MEASURES, CLASSIFICATION_MEASURES, MEASURE } from "../measures/measures";
+import { rulesOf } from "../measures/protocols";
 import { means } from "../scores/means";
 import { models, scoredRows } from "../state/models";
 import { selectedModel } from "../state/selection";
@@ -14,13 +16,15 @@ import { SizeChart } from "./size";
 import { SpreadChart } from "./spread";
 import { TypesChart } from "./types";
 
-/** Distances of coefficients range over orders of magnitude, the others seldom do. */
-const logarithmic = { MFE: signal(false), dHaus: signal(false), d1: signal(true) };
+/** Whether the axis of each is logarithmic, once the reader has said so. */
+const logarithmic = Object.fromEntries(
+  ACCURACY_MEASURES.map((measure) => [measure, signal(MEASURE[measure].logarithmic)]),
+) as Readonly<Record<AccuracyMeasure, Signal<boolean>>>;
 
 export default function ChartsPanel(): JSX.Element {
   const several = models.value.length > 1;
   const scored = scoredRows.value.length > 0;
-  const rules = protocol.value === "published" ? "as the published tables were made" : "by definition";
+  const rules = rulesOf(protocol.value);
   return (
     <div class="charts">
       <div class="panel-tools">
@@ -55,7 +59,7 @@ function Spreads(): JSX.Element {
         <SpreadChart
           key={measure}
           name={measure}
-          title={`${MEASURE_TEXT[measure].name} (${measure}) over models`}
+          title={`${MEASURE[measure].name} (${measure}) over models`}
           measures={[measure]}
           logarithmic={logarithmic[measure]}
         />

@@ -72,13 +72,19 @@ type Go = () => void;
 
 const actions = new WeakMap<EventTarget, Go>();
 
+/** More shapes than these in one facet are drawn only where they do not cover each other. */
+const CROWD = 2000;
+/** Shapes of a crowd are nowhere closer than this, in pixels of the drawing. */
+const CLOSEST = 2;
+
 /** Options of a mark whose shapes lead somewhere when clicked, one shape per datum. */
 export function leading<T>(data: readonly T[], go: (datum: T) => void): Pick<Plot.MarkOptions, "render"> {
   return {
     render: (index, scales, values, dimensions, context, next) => {
-      const group = next?.(index, scales, values, dimensions, context) ?? null;
+      const shown = index.length > CROWD ? apart(index, values) : index;
+      const group = next?.(shown, scales, values, dimensions, context) ?? null;
       [...(group?.children ?? [])].forEach((shape, at) => {
-        const datum = data[index[at] ?? -1];
+        const datum = data[shown[at] ?? -1];
         if (datum === undefined) return;
         actions.set(shape, () => go(datum));
         shape.classList.add("leads");
@@ -86,6 +92,13 @@ export function leading<T>(data: readonly T[], go: (datum: T) => void): Pick<Plo
       return group;
     },
   };
+}
+
+/** Of shapes in the same place, the first: thousands of them would take seconds, and look no different. */
+function apart(index: number[], { x, y }: Plot.ChannelValues): number[] {
+  const at = (channel: unknown, i: number) => (Array.isArray(channel) || ArrayBuffer.isView(channel) ? (channel as ArrayLike<number>)[i] : 0) ?? 0;
+  const taken = new Map(index.toReversed().map((i) => [`${Math.round(at(x, i) / CLOSEST)} ${Math.round(at(y, i) / CLOSEST)}`, i]));
+  return [...taken.values()].reverse();
 }
 
 /** Follows a click on a shape that leads somewhere. */

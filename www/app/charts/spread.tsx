@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import type { Distribution, Measure } from "../engine/contract";
-import { isShare, MEASURE_TEXT } from "../measures/measures";
+import { isShare, MEASURE } from "../measures/measures";
 import { means } from "../scores/means";
 import { scoredRows } from "../state/models";
 import { protocol } from "../state/settings";
@@ -70,7 +70,7 @@ export function SpreadChart({ name, title, measures, logarithmic }: Props): JSX.
     }),
   );
   const log = logarithmic?.value === true && values.some(({ value }) => value > 0);
-  const better = measures.some((measure) => MEASURE_TEXT[measure].good === "lower") ? "Lower" : "Higher";
+  const better = measures.some((measure) => MEASURE[measure].better === "lower") ? "Lower" : "Higher";
   return (
     <Chart
       name={name}

@@ -1,16 +1,15 @@
-// The five types of surface, and what is none of them.
+// The types of surfaces, and what is none of them.
 
+import { OTHER_TYPE } from "../../generated/declared/other-type.js";
+import { SURFACE_TYPES } from "../../generated/declared/surface-types.js";
 import type { SurfaceType } from "../engine/contract";
-import { TYPE_COLOURS } from "../stage/colouring";
-import { UNSEGMENTED } from "../view/palette";
+import { typeColour } from "../view/palette";
 
-export const OTHER = "Other";
-export const TYPES: readonly string[] = [...Object.keys(TYPE_COLOURS), OTHER];
+export const OTHER = OTHER_TYPE;
+export const TYPES: readonly string[] = [...SURFACE_TYPES.map(({ name }) => name), OTHER];
 
 export function typeName(type: SurfaceType | null | undefined): string {
   return type ?? OTHER;
 }
 
-export function typeColour(name: string): string {
-  return TYPE_COLOURS[name] ?? UNSEGMENTED;
-}
+export { typeColour };

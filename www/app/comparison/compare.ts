@@ -1,47 +1,31 @@
-// Figures against figures: differences, wins and losses, means over the same models.
+// A method against another: what the engine makes of the figures of both.
 
-/** The published figures are rounded to six digits: a difference below half of the last is none. */
-const EVEN = 5e-7;
+import { signal } from "@preact/signals";
+import { rowsOf } from "../../shared/formats/measures.mjs";
+import { engine } from "../engine/client";
+import type { Comparison, Measure } from "../engine/contract";
+import { latest } from "../engine/latest";
 
-export type Outcome = "better" | "worse" | "even";
-
+/** The figures of one model. */
 export interface Pair {
-  readonly own: number | null;
-  readonly theirs: number | null;
+  readonly own: (measure: Measure) => number | null;
+  readonly theirs: (measure: Measure) => number | null;
 }
 
-/** Own minus theirs; null where either is missing. */
-export function difference({ own, theirs }: Pair): number | null {
-  return own === null || theirs === null ? null : own - theirs;
+/** The comparison of what was asked about last, by measure, with the rows that it is of. */
+export interface Compared<Row> {
+  readonly rows: readonly Row[];
+  readonly by: ReadonlyMap<Measure, Comparison>;
 }
 
-export function outcome(pair: Pair, good: "higher" | "lower"): Outcome | null {
-  const by = difference(pair);
-  if (by === null) return null;
-  // Room for the rounding of the subtraction itself.
-  if (Math.abs(by) <= EVEN + 1e-12) return "even";
-  return by > 0 === (good === "higher") ? "better" : "worse";
-}
-
-export interface Tally {
-  readonly better: number;
-  readonly worse: number;
-  readonly even: number;
-}
-
-export function tally(pairs: readonly Pair[], good: "higher" | "lower"): Tally {
-  const counts = { better: 0, worse: 0, even: 0 };
-  for (const pair of pairs) {
-    const result = outcome(pair, good);
-    if (result) counts[result] += 1;
-  }
-  return counts;
-}
-
-/** The means over the models where both sides have a figure, so that like is compared with like. */
-export function means(pairs: readonly Pair[]): Pair {
-  const both = pairs.filter((pair): pair is { own: number; theirs: number } => difference(pair) !== null);
-  if (both.length === 0) return { own: null, theirs: null };
-  const mean = (side: "own" | "theirs") => both.reduce((sum, pair) => sum + pair[side], 0) / both.length;
-  return { own: mean("own"), theirs: mean("theirs") };
+/** Keeps a comparison of rows that may change faster than they are compared. */
+export function comparing<Row>(pairOf: (row: Row) => Pair) {
+  const compared = signal<Compared<Row> | undefined>(undefined);
+  const ask = latest(async (rows: readonly Row[]) => {
+    const pairs = rows.map(pairOf);
+    const [own, theirs] = [rowsOf(pairs.map((pair) => pair.own)), rowsOf(pairs.map((pair) => pair.theirs))];
+    const found = await engine.run((api) => api.compare(own, theirs));
+    compared.value = { rows, by: new Map(found.map((comparison) => [comparison.measure, comparison])) };
+  });
+  return { compared, ask };
 }

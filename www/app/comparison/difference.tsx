@@ -1,22 +1,19 @@
 // A difference with its sign, a mark and a colour: none of the three alone has to tell.
 
 import type { JSX } from "preact";
-import type { Measure } from "../engine/contract";
-import { MEASURE_TEXT } from "../measures/measures";
+import type { Difference, Measure } from "../engine/contract";
 import * as format from "../ui/format";
-import { difference, outcome, type Outcome, type Pair } from "./compare";
 
-const MARKS: Readonly<Record<Outcome, string>> = { better: "▲", worse: "▼", even: "=" };
+const MARKS: Readonly<Record<Difference["outcome"], string>> = { better: "▲", worse: "▼", even: "=" };
 
-export function DifferenceMark({ measure, pair }: { measure: Measure; pair: Pair }): JSX.Element {
-  const by = difference(pair);
-  const result = outcome(pair, MEASURE_TEXT[measure].good);
-  if (by === null || result === null) return <>{format.MISSING}</>;
+export function DifferenceMark({ measure, difference }: { measure: Measure; difference: Difference | null | undefined }): JSX.Element {
+  if (!difference) return <>{format.MISSING}</>;
+  const { by, outcome } = difference;
   return (
-    <span class="difference" data-outcome={result}>
-      {result === "even" ? "0" : `${by > 0 ? "+" : "−"}${format.measure(measure, Math.abs(by))}`}{" "}
-      <span aria-hidden="true">{MARKS[result]}</span>
-      <span class="visually-hidden">{result}</span>
+    <span class="difference" data-outcome={outcome}>
+      {outcome === "even" ? "0" : `${by > 0 ? "+" : "−"}${format.measure(measure, Math.abs(by))}`}{" "}
+      <span aria-hidden="true">{MARKS[outcome]}</span>
+      <span class="visually-hidden">{outcome}</span>
     </span>
   );
 }

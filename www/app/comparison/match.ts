@@ -1,6 +1,8 @@
 // Which test model a model on the page is. A name alone proves nothing: training models, and
 // anybody's own, are called PC1 as well.
 
+import type { Report } from "../engine/contract";
+import type { ModelEntry } from "../state/models";
 import type { TestModel } from "./published";
 
 export interface ModelOnPage {
@@ -15,6 +17,13 @@ export type Match =
   /** Named like a test model, but not that one. */
   | { readonly kind: "unlike"; readonly model: string; readonly reason: string }
   | { readonly kind: "none" };
+
+/** A model on the page, scored, and what it is. */
+export interface Candidate {
+  readonly entry: ModelEntry;
+  readonly report: Report;
+  readonly match: Match;
+}
 
 /** What the reader says a model is: the name of a test model, or that it is none. */
 export type Said = string | null;

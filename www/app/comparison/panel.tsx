@@ -1,19 +1,23 @@
 // A method against the paper's two, model by model and in the mean.
 
 import type { JSX } from "preact";
-import { computed, signal } from "@preact/signals";
-import type { Measure, Report } from "../engine/contract";
+import { computed, effect, signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { FITTERS } from "../../generated/declared/fitters.js";
+import type { Difference, Measure } from "../engine/contract";
 import { ExplainButton } from "../measures/explain";
-import { MEASURE_TEXT, MEASURES } from "../measures/measures";
-import { methods, scoredRows, type ModelEntry } from "../state/models";
+import { MEASURES } from "../measures/measures";
+import { rulesOf } from "../measures/protocols";
+import { methods, scoredRows } from "../state/models";
 import { selectedModel, selectModel } from "../state/selection";
+import { notify } from "../state/notices";
 import { protocol } from "../state/settings";
 import { words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
-import { difference, means, tally, type Pair } from "./compare";
+import { comparing, type Pair } from "./compare";
 import { DifferenceMark } from "./difference";
-import { matchOf, type Match, type Said } from "./match";
+import { matchOf, type Candidate, type Match, type Said } from "./match";
 import { PUBLISHED_METHODS, published, TEST_MODELS, type PublishedMethod } from "./published";
 import { Which } from "./which";
 
@@ -31,12 +35,6 @@ const ownMethod = computed(() => {
   );
 });
 
-export interface Candidate {
-  readonly entry: ModelEntry;
-  readonly report: Report;
-  readonly match: Match;
-}
-
 interface Row extends Candidate {
   readonly match: Extract<Match, { kind: "matched" }>;
 }
@@ -53,18 +51,33 @@ const candidates = computed<readonly Candidate[]>(() =>
 
 const rows = computed(() => candidates.value.filter((candidate): candidate is Row => candidate.match.kind === "matched"));
 
-function pairOf({ report, match }: Row, measure: Measure): Pair {
+function pairOf({ report, match }: Row): Pair {
   return {
-    own: report.mean[measure],
-    theirs: published(match.model, theirMethod.value, protocol.value, measure),
+    own: (measure) => report.mean[measure],
+    theirs: (measure) => published(match.model, theirMethod.value, protocol.value, measure),
   };
 }
 
+const { compared, ask } = comparing(pairOf);
+
+/** Compares what there is to compare, and what comes, until the result is called. */
+function follow(): () => void {
+  return effect(() => {
+    ask(rows.value).catch((error: unknown) => notify(error instanceof Error ? error.message : String(error), "error"));
+  });
+}
+
+/** The engine's difference for a row; nothing until it has answered. */
+function differenceOf(row: Row, measure: Measure): Difference | null | undefined {
+  const known = compared.value;
+  return known?.by.get(measure)?.differences[known.rows.indexOf(row)];
+}
+
 function titleOf(row: Row, measure: Measure): string {
-  const { own, theirs } = pairOf(row, measure);
+  const { own, theirs } = pairOf(row);
   const printed = published(row.match.model, theirMethod.value, "paper", measure);
   const paper = printed === null || protocol.value === "definition" ? "" : `, ${printed} in the paper`;
-  return `${format.measure(measure, own)} against ${format.measure(measure, theirs)}${paper}`;
+  return `${format.measure(measure, own(measure))} against ${format.measure(measure, theirs(measure))}${paper}`;
 }
 
 const COLUMNS: readonly Column<Row>[] = [
@@ -83,14 +96,15 @@ const COLUMNS: readonly Column<Row>[] = [
       aside: <ExplainButton measure={measure} />,
       label: `difference in ${measure}`,
       numeric: true,
-      cell: (row) => <DifferenceMark measure={measure} pair={pairOf(row, measure)} />,
-      sortBy: (row) => difference(pairOf(row, measure)),
+      cell: (row) => <DifferenceMark measure={measure} difference={differenceOf(row, measure)} />,
+      sortBy: (row) => differenceOf(row, measure)?.by,
       title: (row) => titleOf(row, measure),
     }),
   ),
 ];
 
 export default function ComparisonPanel(): JSX.Element {
+  useEffect(follow, []);
   const own = ownMethod.value;
   if (own === undefined) return <p class="empty">Nothing is scored yet that could be compared.</p>;
   return (
@@ -112,13 +126,16 @@ export default function ComparisonPanel(): JSX.Element {
             value={theirMethod.value}
             onChange={(event) => (theirMethod.value = event.currentTarget.value as PublishedMethod)}
           >
-            <option value="HT">HT (Hough transform)</option>
-            <option value="PG">PG (primitive growing)</option>
+            {PUBLISHED_METHODS.map((name) => (
+              <option key={name} value={name}>
+                {name} ({FITTERS.find(({ title }) => title === name)?.fullName})
+              </option>
+            ))}
           </select>
         </label>
         <p>
           The published result files, scored anew{" "}
-          {protocol.value === "definition" ? "by definition" : "as the published tables were made"}.
+          {rulesOf(protocol.value)}.
         </p>
       </div>
       {rows.value.length > 0 ? (
@@ -143,7 +160,7 @@ export default function ComparisonPanel(): JSX.Element {
 }
 
 function Foot({ own }: { own: string }): JSX.Element {
-  const pairs = (measure: Measure) => rows.value.map((row) => pairOf(row, measure));
+  const of = (measure: Measure) => compared.value?.by.get(measure);
   const line = (head: string, cell: (measure: Measure) => JSX.Element | string) => (
     <tr>
       <th scope="row" colSpan={2}>
@@ -159,14 +176,15 @@ function Foot({ own }: { own: string }): JSX.Element {
   return (
     <>
       {line("Mean difference", (measure) => (
-        <DifferenceMark measure={measure} pair={means(pairs(measure))} />
+        <DifferenceMark measure={measure} difference={of(measure)?.mean} />
       ))}
       {line("Won, lost, even", (measure) => {
-        const { better, worse, even } = tally(pairs(measure), MEASURE_TEXT[measure].good);
+        const { better, worse, even } = of(measure) ?? { better: 0, worse: 0, even: 0 };
         return better + worse + even === 0 ? format.MISSING : `${better}, ${worse}, ${even}`;
       })}
-      {line(`Mean of ${own}`, (measure) => format.measure(measure, means(pairs(measure)).own))}
-      {line(`Mean of ${theirMethod.value}`, (measure) => format.measure(measure, means(pairs(measure)).theirs))}
+      {line("p (Wilcoxon)", (measure) => format.probability(of(measure)?.test?.probability))}
+      {line(`Mean of ${own}`, (measure) => format.measure(measure, of(measure)?.own))}
+      {line(`Mean of ${theirMethod.value}`, (measure) => format.measure(measure, of(measure)?.theirs))}
     </>
   );
 }

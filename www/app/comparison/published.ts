@@ -1,10 +1,10 @@
 // The published methods' figures, scored anew: what a new method is measured against.
 
 import type { Measure, Protocol } from "../engine/contract";
+import { PUBLISHED_METHODS, type PublishedMethod } from "../public/catalogue";
 import data from "./published.json";
 
-export const PUBLISHED_METHODS = ["HT", "PG"] as const;
-export type PublishedMethod = (typeof PUBLISHED_METHODS)[number];
+export { PUBLISHED_METHODS, type PublishedMethod };
 
 /** A test model, by what tells it from others of its name. */
 export interface TestModel {

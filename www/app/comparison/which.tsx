@@ -3,8 +3,8 @@
 import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import * as format from "../ui/format";
-import type { Match, Said } from "./match";
-import type { Candidate } from "./panel";
+import { Seen } from "../ui/seen";
+import type { Candidate, Match, Said } from "./match";
 import { TEST_MODELS } from "./published";
 
 interface Props {
@@ -31,9 +31,11 @@ export function Which({ candidates, said }: Props): JSX.Element {
         A model counts as a test model where name, number of points and number of true primitives agree. You may know
         better.
       </p>
-      <ul>
-        {candidates.map(({ entry: { id }, match }) => (
-          <li key={id}>
+      <Seen
+        as="ul"
+        items={candidates}
+        draw={({ entry: { id }, match }, place) => (
+          <li key={id} {...place}>
             {id}{" "}
             <select
               aria-label={`Which test model ${id} is`}
@@ -50,8 +52,8 @@ export function Which({ candidates, said }: Props): JSX.Element {
             </select>{" "}
             <span class="hint">{explain(match)}</span>
           </li>
-        ))}
-      </ul>
+        )}
+      />
     </details>
   );
 }

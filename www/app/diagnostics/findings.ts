@@ -3,7 +3,7 @@
 import { computed } from "@preact/signals";
 import type { Diagnostic } from "../engine/contract";
 import { brought, unplaced } from "../state/inbox";
-import { models } from "../state/models";
+import { models, type ModelEntry } from "../state/models";
 
 export interface Finding extends Diagnostic {
   /** Absent for files that belong to no model. */
@@ -22,31 +22,33 @@ export const findings = computed<readonly Finding[]>(() => {
     expected: "",
     hint: brought.value.has(path) ? "Say what it is under Files, or rename it." : "",
   }));
-  for (const { id, status } of models.value) {
-    if (status.kind === "failed") {
-      all.push({ severity: "error", file: id, message: status.message, found: "", expected: "", hint: "", model: id });
-    }
-    if (status.kind !== "scored") continue;
-    const { info, reports } = status.result;
-    const known = new Set<string>();
-    for (const finding of [...info.diagnostics, ...reports.flatMap(({ definition }) => definition.diagnostics)]) {
-      // A report repeats what reading its files has found.
-      const text = asText(finding);
-      if (!known.has(text)) all.push({ ...finding, model: id });
-      known.add(text);
-    }
-  }
+  for (const entry of models.value) all.push(...findingsOf(entry));
   return all.sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 });
+
+const known = new WeakMap<ModelEntry, readonly Finding[]>();
+
+function findingsOf(entry: ModelEntry): readonly Finding[] {
+  let own = known.get(entry);
+  if (!own) {
+    own = findIn(entry);
+    known.set(entry, own);
+  }
+  return own;
+}
+
+function findIn({ id, status }: ModelEntry): Finding[] {
+  if (status.kind === "failed") {
+    return [{ severity: "error", file: id, message: status.message, found: "", expected: "", hint: "", model: id }];
+  }
+  if (status.kind !== "scored") return [];
+  const { info, reports } = status.result;
+  // A report repeats what reading its files has found.
+  const all = [...info.diagnostics, ...reports.flatMap(({ definition }) => definition.diagnostics)];
+  return [...new Map(all.map((finding) => [JSON.stringify(finding), { ...finding, model: id }])).values()];
+}
 
 /** `file:line:column`, as far as known. */
 export function placeOf({ file, line, column }: Diagnostic): string {
   return [file, line, column].filter((part) => part !== undefined).join(":");
-}
-
-/** One line, as a compiler would print it. */
-export function asText(finding: Diagnostic): string {
-  const { severity, message, found, expected, hint } = finding;
-  const details = [found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean).join(", ");
-  return `${placeOf(finding)}: ${severity}: ${message}${details && ` (${details})`}${hint && `. ${hint}`}`;
 }

@@ -2,13 +2,14 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
+import { engine } from "../engine/client";
 import type { Severity } from "../engine/contract";
 import { copy } from "../export/download";
 import { selectedModel, selectModel } from "../state/selection";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { Marked } from "../ui/marked";
-import { asText, findings, placeOf, type Finding } from "./findings";
+import { findings, placeOf, type Finding } from "./findings";
 
 const onlySelected = signal(false);
 
@@ -97,6 +98,7 @@ function Item({ finding }: { finding: Finding }): JSX.Element {
   );
 }
 
-function copyAll(list: readonly Finding[]): Promise<void> {
-  return copy(list.map(asText).join("\n"), plural(list.length, "finding"));
+async function copyAll(list: readonly Finding[]): Promise<void> {
+  const lines = await engine.run((api) => api.oneLines(list));
+  await copy(lines.join("\n"), plural(list.length, "finding"));
 }

@@ -1,17 +1,30 @@
 // The engine's types, generated from Rust, and the few names the page gives them.
 
-import type { Measures } from "../../generated/engine/engine.js";
-
 export type {
+  AccuracyMeasure,
   Audit,
-  Corrected,
+  Comparison,
+  Correction,
+  Counted,
   DatasetStatistics,
   DiagnosticInfo as Diagnostic,
+  Difference,
   Distribution,
+  FieldReport,
+  Figure,
+  FigureInfo,
+  FigureScale,
+  FigureSpread,
   Finding,
   FitMethod,
+  FitterInfo,
   FormAudit,
+  Group,
   Grouping,
+  Histogram,
+  Measure,
+  MeasureInfo,
+  MethodSummary,
   ModelInfo,
   ModelStatistics,
   Override,
@@ -25,11 +38,11 @@ export type {
   Report,
   Role,
   SampleOptions,
+  Scores,
   Severity,
   Spread,
   SurfaceInfo,
   SurfaceType,
+  Term,
   TruthReport,
 } from "../../generated/engine/engine.js";
-
-export type Measure = keyof Measures;

@@ -5,6 +5,7 @@ import type * as Comlink from "comlink";
 import { batch, computed, signal, type ReadonlySignal } from "@preact/signals";
 import type { EngineWorker, ModelSource } from "../../worker/protocol";
 import { engine } from "./client";
+import { paced } from "./pace";
 
 export type Outcome<Answer> =
   | { readonly kind: "answered"; readonly answer: Answer }
@@ -23,9 +24,6 @@ export interface Survey<Answer> {
   readonly stop: () => void;
 }
 
-/** Many answers may come in a burst: they are shown together. */
-const FRAME_MS = 16;
-
 export function survey<Answer>(
   question: (api: Comlink.Remote<EngineWorker>, source: ModelSource) => Promise<Answer>,
 ): Survey<Answer> {
@@ -37,11 +35,11 @@ export function survey<Answer>(
   let arrived: [string, Outcome<Answer> | undefined][] = [];
 
   const settle = (key: string, outcome: Outcome<Answer> | undefined) => {
-    if (arrived.length === 0) setTimeout(show, FRAME_MS);
     arrived.push([key, outcome]);
+    show();
   };
 
-  const show = () =>
+  const show = paced(() =>
     batch(() => {
       const all = new Map(outcomes.value);
       for (const [key, outcome] of arrived) {
@@ -52,7 +50,8 @@ export function survey<Answer>(
       done.value += arrived.length;
       arrived = [];
       if (done.value >= asked.value) asked.value = done.value = 0;
-    });
+    }),
+  );
 
   const askOf = async (source: ModelSource, signal: AbortSignal) => {
     underWay.add(source.key);

@@ -2,8 +2,10 @@
 
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
+import { FITTERS } from "../../generated/declared/fitters.js";
 import type { FitRequest } from "../../worker/protocol";
-import { brought, fitOf, overrides } from "../state/inbox";
+import { brought, overrides } from "../state/inbox";
+import { fitOf } from "../state/made";
 import { scoredRows, type ModelEntry } from "../state/models";
 import { protocol } from "../state/settings";
 import { commandLine, type FitOnScreen, type SampleOnScreen } from "./command";
@@ -32,10 +34,10 @@ const repeatable = computed<readonly FitOnScreen[]>(() => {
   if (Object.keys(overrides.value).length > 0) return [];
   const isSample = ({ origin }: ModelEntry) => origin.kind === "sample";
   const others = entries.value.filter((entry) => !isSample(entry)).length;
-  return (["ht", "pg"] as const).flatMap((fitter): FitOnScreen[] => {
-    const own = fitted.value.filter(({ request }) => request.method === fitter);
+  return FITTERS.flatMap(({ name, title }): FitOnScreen[] => {
+    const own = fitted.value.filter(({ request }) => request.method === name);
     const [first] = own;
-    const alike = own.every(({ request, method }) => isSame(request, first?.request) && method === fitter.toUpperCase());
+    const alike = own.every(({ request, method }) => isSame(request, first?.request) && method === title);
     const brought = own.filter(({ entry }) => !isSample(entry)).length;
     if (!first || !alike || (brought > 0 && brought < others)) return [];
     const samples = own.flatMap(({ entry }) => (isSample(entry) ? [entry.id] : []));

@@ -1,5 +1,6 @@
 // The command line that repeats what is on screen.
 
+import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
 import type { FitRequest } from "../../worker/protocol";
 import type { Override, Protocol, SampleOptions } from "../engine/contract";
 
@@ -51,7 +52,7 @@ function fit({ method, parameters, seed }: FitRequest, places: readonly string[]
 }
 
 function generate({ name, part, options }: SampleOnScreen): string {
-  const given = (["seed", "spacing", "noise", "outliers", "missing"] as const).flatMap((option) => {
+  const given = SAMPLE_OPTIONS.flatMap(({ name: option }) => {
     const value = options[option];
     return value === undefined ? [] : [`--${option}`, String(value)];
   });
@@ -60,9 +61,9 @@ function generate({ name, part, options }: SampleOnScreen): string {
 }
 
 function correction(file: string, override: Override): string[] {
-  const said = (["role", "model", "method"] as const).flatMap((key) => {
+  const said = (["role", "model", "method", "first"] as const).flatMap((key) => {
     const value = override[key];
-    return value === undefined ? [] : `${key}=${value.replace(/[%,:]/g, encodeURIComponent)}`;
+    return value === undefined ? [] : `${key}=${String(value).replace(/[%,:]/g, encodeURIComponent)}`;
   });
   return said.length === 0 ? [] : ["--as", quoted(`${said.join(",")}:${file}`)];
 }

@@ -5,6 +5,7 @@ import { notify } from "../state/notices";
 /** Long enough for every browser to have begun reading. */
 const KEPT_MS = 60_000;
 
+/** Saves a file. Browsers replace what may not stand in the name of one. */
 export function download(name: string, content: Blob): void {
   const address = URL.createObjectURL(content);
   const link = document.createElement("a");

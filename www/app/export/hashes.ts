@@ -1,7 +1,7 @@
 // What the files on the page hash to. Each file is hashed once, in a worker, when it is first asked for.
 
 import { engine } from "../engine/client";
-import type { HashedFile } from "../../../bin/formats/results.mjs";
+import type { HashedFile } from "../../shared/formats/results.mjs";
 import type { ModelFile } from "../../worker/protocol";
 
 const known = new WeakMap<Blob, Promise<string | null>>();

@@ -1,6 +1,6 @@
 // Words inside a PNG file.
 
-import { crc32 } from "../sharing/codec/crc32";
+import { crc32 } from "../../shared/crc32.mjs";
 
 /** Signature and header chunk, which come first in every PNG file. */
 const HEAD_BYTES = 8 + 25;

@@ -1,10 +1,17 @@
 // What is on screen, in the form the formats of the command line take.
 
-import type { Result } from "../../../bin/formats/results.mjs";
+import { scoresOf } from "../../shared/formats/measures.mjs";
+import type { Result } from "../../shared/formats/results.mjs";
 import { engine } from "../engine/client";
-import type { Protocol } from "../engine/contract";
-import type { ScoredRow } from "../state/models";
+import type { MethodSummary, Protocol } from "../engine/contract";
+import { isFitted, type ScoredRow } from "../state/models";
 import { filesOfMethod, hashed } from "./hashes";
+
+/** Each method's means over the reports, for the formats that show them. */
+export function summariesOf(results: readonly Result[]): Promise<MethodSummary[]> {
+  const scores = scoresOf(results);
+  return engine.run((api) => api.summarise(scores));
+}
 
 export function engineVersion(): Promise<string> {
   return engine.run((api) => api.version());
@@ -18,6 +25,7 @@ export async function resultsOf(rows: readonly ScoredRow[], protocol: Protocol):
       ...reports[protocol],
       engine: version,
       files: await hashed(filesOfMethod(entry.source.files, reports.method)),
+      ...(isFitted(entry, reports.method) ? { surfacesFitted: true } : {}),
     })),
   );
 }

@@ -8,7 +8,7 @@ import { selectedMethod, selectedModel } from "../state/selection";
 import { protocol } from "../state/settings";
 import { plural } from "../ui/format";
 import { download } from "./download";
-import { safe, zipSubmission } from "./submission";
+import { zipSubmission } from "./submission";
 
 function holds(entry: ModelEntry, method: string): boolean {
   return entry.status.kind === "scored" && entry.status.result.info.methods.includes(method);
@@ -24,7 +24,7 @@ export function SubmissionSection(): JSX.Element | null {
   const save = async (entries: readonly ModelEntry[], name: string) => {
     busy.value = true;
     try {
-      download(`${safe(name)}.zip`, await zipSubmission(entries, method, protocol.value));
+      download(`${name}.zip`, await zipSubmission(entries, method, protocol.value));
     } catch (error) {
       notify(`The zip could not be made: ${error instanceof Error ? error.message : String(error)}`, "error");
     } finally {

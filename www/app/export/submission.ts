@@ -1,6 +1,7 @@
 // A submission as a zip: its three files for each model, in the layout of the public test set, and
 // a note of what made it.
 
+import { SEGMENTATION } from "../../shared/roles.mjs";
 import { engine } from "../engine/client";
 import type { ModelEntry } from "../state/models";
 import type { ModelFile, ModelSource } from "../../worker/protocol";
@@ -8,8 +9,6 @@ import { hashed } from "./hashes";
 import { engineVersion } from "./results";
 import type { Protocol } from "../engine/contract";
 import { zip } from "./zip";
-
-const ROLES = ["primitives", "parametric", "implicit"] as const;
 
 /** Zips a method's files. What the reader brought goes in unchanged; what is missing the engine writes. */
 export async function zipSubmission(entries: readonly ModelEntry[], method: string, protocol: Protocol): Promise<Blob> {
@@ -28,18 +27,11 @@ export async function zipSubmission(entries: readonly ModelEntry[], method: stri
 
 async function submissionOf(name: string, source: ModelSource, method: string): Promise<ModelFile[]> {
   const own = source.files.filter((file) => file.method === method);
-  const missing = ROLES.some((role) => !own.some((file) => file.role === role));
+  const missing = SEGMENTATION.some((role) => !own.some((file) => file.role === role));
   const written = missing ? await engine.run((api) => api.write(source, method)) : [];
-  // A model's name may hold the folder that tells it from its namesake.
-  const short = name.split("/").at(-1) ?? name;
-  return ROLES.flatMap((role) => {
+  const paths = await engine.run((api) => api.submissionPaths(name, method));
+  return SEGMENTATION.flatMap((role) => {
     const file = own.find((candidate) => candidate.role === role) ?? written.find((candidate) => candidate.role === role);
-    return file ? [{ ...file, path: `pointCloud_${role}_${safe(method)}/${safe(short)}_${role}.txt` }] : [];
+    return file ? [{ ...file, path: paths[role] }] : [];
   });
-}
-
-/** Names of files from names of methods and models: nothing that means a path or is forbidden somewhere. */
-export function safe(name: string): string {
-  // eslint-disable-next-line no-control-regex -- they are what is removed
-  return name.replace(/[\u0000-\u001f\u007f/\\:*?"<>|]/g, "_").replace(/^\.+/, "_") || "_";
 }

@@ -6,7 +6,7 @@ import { notify } from "../state/notices";
 import { protocol } from "../state/settings";
 import { plural } from "../ui/format";
 import { copy, download } from "./download";
-import { resultsOf } from "./results";
+import { resultsOf, summariesOf } from "./results";
 import { TABLE_FORMATS, type TableFormat } from "./tables";
 
 export function TablesSection(): JSX.Element {
@@ -19,7 +19,7 @@ export function TablesSection(): JSX.Element {
       </p>
       <ul class="exports">
         {TABLE_FORMATS.map((format) => (
-          <li key={format.id}>
+          <li key={format.title}>
             <span>
               <strong>{format.title}</strong> {format.what}
             </span>
@@ -36,7 +36,7 @@ export function TablesSection(): JSX.Element {
   );
 }
 
-function save({ type, extension }: TableFormat, text: string): void {
+function save({ file: { type, extension } }: TableFormat, text: string): void {
   download(`fit4cad-${protocol.peek()}.${extension}`, new Blob([text], { type: `${type};charset=utf-8` }));
 }
 
@@ -46,7 +46,8 @@ function put({ title }: TableFormat, text: string): Promise<void> {
 
 async function hand(format: TableFormat, over: (format: TableFormat, text: string) => void | Promise<void>): Promise<void> {
   try {
-    await over(format, format.write(await resultsOf(scoredRows.peek(), protocol.peek())));
+    const results = await resultsOf(scoredRows.peek(), protocol.peek());
+    await over(format, format.write(results, await summariesOf(results)));
   } catch (error) {
     notify(`${format.title} could not be written: ${error instanceof Error ? error.message : String(error)}`, "error");
   }

@@ -2,18 +2,13 @@
 
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
+import { ROLES } from "../../generated/declared/roles.js";
 import type { Override, Role } from "../engine/contract";
-import { brought, clear, ignored, override, overrides, remove, unplaced } from "../state/inbox";
+import { clear, remove } from "../state/contents";
+import { brought, ignored, override, overrides, unplaced } from "../state/inbox";
 import { modelById } from "../state/models";
 import { selectedModel } from "../state/selection";
 import * as format from "../ui/format";
-
-const ROLES: readonly { id: Role; title: string }[] = [
-  { id: "cloud", title: "point cloud" },
-  { id: "primitives", title: "primitives" },
-  { id: "parametric", title: "parametric" },
-  { id: "implicit", title: "implicit" },
-];
 
 interface FileRow {
   readonly path: string;
@@ -49,11 +44,15 @@ const rows = computed<readonly FileRow[]>(() => {
       made: !brought.value.has(path),
     }),
   );
-  return [...rest, ...placed];
+  return [...rest.slice(0, UNPLACED_AT_MOST), ...placed];
 });
+
+/** More of those that belong nowhere would not be read, and would slow the page. */
+const UNPLACED_AT_MOST = 500;
 
 export default function FilesPanel(): JSX.Element {
   const entry = modelById(selectedModel.value);
+  const more = unplaced.value.length - UNPLACED_AT_MOST;
   return (
     <div class="files">
       <div class="panel-tools">
@@ -80,7 +79,7 @@ export default function FilesPanel(): JSX.Element {
               <th scope="col">File</th>
               <th scope="col">Model</th>
               <th scope="col">Is</th>
-              <th scope="col">Method (empty: truth)</th>
+              <th scope="col">Method (empty: truth), indices</th>
               <th scope="col" class="numeric">
                 Size
               </th>
@@ -94,6 +93,7 @@ export default function FilesPanel(): JSX.Element {
           </tbody>
         </table>
       )}
+      {more > 0 && <p class="empty">… and {format.plural(more, "file")} more that belong to no model.</p>}
     </div>
   );
 }
@@ -101,7 +101,7 @@ export default function FilesPanel(): JSX.Element {
 function Row({ row }: { row: FileRow }): JSX.Element {
   const { path, model, role, method, size, reason, made } = row;
   const corrected = overrides.value[path];
-  const change = (part: Override) => void override(path, { ...corrected, ...part });
+  const change = (part: Override) => override(path, { ...corrected, ...part });
   return (
     <tr class={reason ? "unplaced" : undefined}>
       <th scope="row">
@@ -130,9 +130,9 @@ function Row({ row }: { row: FileRow }): JSX.Element {
             onChange={(event) => change({ role: event.currentTarget.value as Role })}
           >
             {role === undefined && <option value="">unknown</option>}
-            {ROLES.map(({ id, title }) => (
-              <option key={id} value={id}>
-                {title}
+            {ROLES.map(({ name }) => (
+              <option key={name} value={name}>
+                {name}
               </option>
             ))}
           </select>
@@ -149,11 +149,24 @@ function Row({ row }: { row: FileRow }): JSX.Element {
             onChange={(event) => change({ method: event.currentTarget.value.trim() })}
           />
         )}
+        {!made && role === "primitives" && (
+          <label class="counts-from">
+            from{" "}
+            <select
+              aria-label={`What the indices of ${path} count from`}
+              value={String(corrected?.first ?? 1)}
+              onChange={(event) => change({ first: Number(event.currentTarget.value) })}
+            >
+              <option>1</option>
+              <option>0</option>
+            </select>
+          </label>
+        )}
       </td>
       <td class="numeric">{format.bytes(size)}</td>
       <td>
         {corrected && (
-          <button type="button" class="link" onClick={() => void override(path, {})}>
+          <button type="button" class="link" onClick={() => override(path, {})}>
             Undo
           </button>
         )}

@@ -1,21 +1,19 @@
 // Fit primitives to the clouds on the page, with either method of the paper.
 
 import type { JSX } from "preact";
-import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { FITTERS } from "../../generated/declared/fitters.js";
 import { cancelFitting, fitModels, fitProgress } from "../state/fitting";
 import { modelById, models, type ModelEntry } from "../state/models";
 import { selectedModel } from "../state/selection";
 import * as format from "../ui/format";
+import { capitalised } from "../ui/format";
 import { Parameter } from "./parameter";
 import { Results } from "./results";
 import {
   DEFAULT_SEED,
-  METHODS,
   anyChanged,
-  loadParameters,
+  fitter,
   method,
-  parameters,
   request,
   resetAll,
   seed,
@@ -38,12 +36,6 @@ function hasCloud({ source }: ModelEntry): boolean {
 }
 
 export default function FitPanel(): JSX.Element {
-  const failure = useSignal<string | undefined>(undefined);
-  useEffect(() => {
-    loadParameters().catch((error: unknown) => {
-      failure.value = error instanceof Error ? error.message : String(error);
-    });
-  }, [failure]);
   return (
     <div class="fit">
       <form
@@ -57,13 +49,8 @@ export default function FitPanel(): JSX.Element {
       >
         <Choice />
         <Run />
-        {failure.value !== undefined && (
-          <p class="empty" role="alert">
-            The parameters could not be loaded: {failure.value}
-          </p>
-        )}
         <div class="parameters" key={method.value}>
-          {parameters.value?.map((info) => (
+          {fitter.value?.parameters.map((info) => (
             <Parameter key={info.name} info={info} value={valueOf(info.name)} onChange={(value) => setParameter(info.name, value)} />
           ))}
           <Parameter
@@ -79,19 +66,20 @@ export default function FitPanel(): JSX.Element {
 }
 
 function Choice(): JSX.Element {
-  const chosen = METHODS.find(({ id }) => id === method.value);
   return (
     <div class="fit-method">
       <fieldset class="switch">
         <legend class="visually-hidden">Method to fit with</legend>
-        {METHODS.map(({ id, title }) => (
-          <label key={id}>
-            <input type="radio" name="fit-method" checked={id === method.value} onChange={() => (method.value = id)} />
+        {FITTERS.map(({ name, title }) => (
+          <label key={name}>
+            <input type="radio" name="fit-method" checked={name === method.value} onChange={() => (method.value = name)} />
             <span>{title}</span>
           </label>
         ))}
       </fieldset>
-      <p>{chosen?.about}</p>
+      <p>
+        {fitter.value && `${capitalised(fitter.value.fullName)}. ${fitter.value.meaning}`}
+      </p>
     </div>
   );
 }

@@ -2,18 +2,19 @@
 
 import type { JSX } from "preact";
 import { fitRun, methodsOf, shareDone, type Fit, type FitRun, type FitState } from "../state/fitting";
-import { isMadeHere, removeSubmission } from "../state/inbox";
+import { isMadeHere, removeSubmission } from "../state/made";
 import { modelById } from "../state/models";
 import { selectModel, selectedMethod, selectedModel } from "../state/selection";
 import { protocol } from "../state/settings";
 import * as format from "../ui/format";
+import { isWindowed, Seen, type Place } from "../ui/seen";
 
 export function Results(): JSX.Element | null {
   const run = fitRun.value;
   if (!run) return null;
   return (
     <div class="fits-box">
-      <table class="fits">
+      <table class="fits" aria-rowcount={isWindowed(run.fits.length) ? run.fits.length + 1 : undefined}>
         <caption>
           {captionOf(run)}
         </caption>
@@ -35,11 +36,13 @@ export function Results(): JSX.Element | null {
             </th>
           </tr>
         </thead>
-        <tbody>
-          {run.fits.map((fit, place) => (
-            <Row key={`${place} ${fit.model}`} fit={fit} />
-          ))}
-        </tbody>
+        <Seen
+          as="tbody"
+          items={run.fits}
+          columns={6}
+          handle=".row-name"
+          draw={(fit, place) => <Row key={`${place["data-place"]} ${fit.model}`} fit={fit} place={place} />}
+        />
       </table>
     </div>
   );
@@ -53,13 +56,13 @@ function captionOf(run: FitRun): string {
   return `${times}${methodsOf(run)} on ${format.plural(count, "model")}`;
 }
 
-function Row({ fit }: { fit: Fit }): JSX.Element {
+function Row({ fit, place }: { fit: Fit; place: Place }): JSX.Element {
   const state = fit.state.value;
   const result = state.kind === "done" ? state.result : undefined;
   const there = result !== undefined && isMadeHere(fit.model, result.method);
   const shown = there && selectedModel.value === fit.model && selectedMethod.value === result.method;
   return (
-    <tr aria-current={shown ? "true" : undefined}>
+    <tr {...place} aria-current={shown ? "true" : undefined}>
       <th scope="row">
         {there ? (
           <button type="button" class="row-name" onClick={() => selectModel(fit.model, result.method)}>

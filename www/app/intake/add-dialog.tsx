@@ -2,6 +2,8 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
+import { FILE_KINDS } from "../../generated/declared/file-kinds.js";
+import { STEP_ENDINGS } from "../../shared/step.mjs";
 import { PublicForm } from "../public/form";
 import { SampleForm } from "../samples/form";
 import { Dialog } from "../ui/dialog";
@@ -16,10 +18,29 @@ export function AddDialog(): JSX.Element {
       <section>
         <h3>Your files</h3>
         <p>
-          Point clouds, ground truth and results in the Fit4CAD format: single files, folders, or zips, also the zip of
-          the whole public repository. Drop them anywhere on the page, or choose them here. They are read in your
-          browser and never leave it.
+          Point clouds, ground truth and results: single files, folders, or zips, also the zip of the whole public
+          repository. Drop them anywhere on the page, or choose them here. They are read in your browser and never
+          leave it.
         </p>
+        <details>
+          <summary>What is read</summary>
+          <dl class="kinds">
+            {FILE_KINDS.map(({ endings, title, meaning }) => (
+              <div key={title}>
+                <dt>
+                  {title} <code>{endings.map((ending) => `.${ending}`).join(" ")}</code>
+                </dt>
+                <dd>{meaning}</dd>
+              </div>
+            ))}
+            <div>
+              <dt>
+                STEP <code>{STEP_ENDINGS.map((ending) => `.${ending}`).join(" ")}</code>
+              </dt>
+              <dd>a part from CAD becomes a model: points exactly on its faces, evenly spread, and the truth of which face each is of</dd>
+            </div>
+          </dl>
+        </details>
         <div class="row">
           <Chooser label="Choose files or zips" />
           <Chooser label="Choose a folder" folder />
@@ -41,6 +62,9 @@ export function AddDialog(): JSX.Element {
   );
 }
 
+/** What a chooser of files offers; what it holds is told by its content. */
+const ACCEPTED = [...FILE_KINDS.flatMap(({ endings }) => endings), ...STEP_ENDINGS, "zip"].map((ending) => `.${ending}`).join(",");
+
 function Chooser({ label, folder = false }: { label: string; folder?: boolean }): JSX.Element {
   return (
     <label class="button">
@@ -49,7 +73,7 @@ function Chooser({ label, folder = false }: { label: string; folder?: boolean })
         type="file"
         class="visually-hidden"
         multiple
-        {...(folder ? { webkitdirectory: true } : {})}
+        {...(folder ? { webkitdirectory: true } : { accept: ACCEPTED })}
         onChange={(event) => {
           const input = event.currentTarget;
           if (!input.files || input.files.length === 0) return;

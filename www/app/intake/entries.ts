@@ -12,6 +12,7 @@ export interface Gathered {
  */
 export function gatherDrop(transfer: DataTransfer): Promise<Gathered> {
   const items = [...transfer.items].filter(({ kind }) => kind === "file");
+  // oxlint-disable-next-line typescript/no-unnecessary-condition -- not every browser has it
   const entries = items.map((item) => item.webkitGetAsEntry?.() ?? item.getAsFile());
   return gather(entries.filter((entry) => entry !== null));
 }

@@ -2,8 +2,9 @@
 
 import { signal } from "@preact/signals";
 import { notify } from "../state/notices";
-import { receive } from "../state/inbox";
+import { receive } from "../state/arrivals";
 import { gatherChosen, gatherDrop, type Gathered } from "./entries";
+import { openParts } from "./step";
 import { openZips } from "./unzip";
 
 /** Whether files are being read or sorted just now. */
@@ -30,8 +31,10 @@ export function takeDownloaded(gathered: Gathered): Promise<void> {
 async function take(gathering: Promise<Gathered>): Promise<void> {
   taking.value = true;
   try {
-    const { files, refused } = await openZips(await gathering);
+    const { files, refused, parts } = await openParts(await openZips(await gathering));
     if (files.length + refused.length > 0) await receive(files, refused);
+    // Of more than a few, the files that were received say enough.
+    if (parts.length > 0 && parts.length <= 3) notify(parts.join(" "));
   } catch (error) {
     notify(error instanceof Error ? error.message : String(error), "error");
   } finally {

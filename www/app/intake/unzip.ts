@@ -1,35 +1,37 @@
 // Opens zips in a worker of their own, so that neither the page nor the engine waits.
 
-import type { UnzipAnswer, UnzipRequest } from "../../worker/unzip";
+import script from "../../worker/unzip?worker&url";
+import type { UnzipWorker } from "../../worker/unzip";
+import type { Unzipped } from "../../worker/unzipped";
+import { LiveWorker } from "../engine/live-worker";
+import { startWorker } from "../engine/own-script";
 import type { Gathered } from "./entries";
 
 const isZip = (path: string) => /\.zip$/i.test(path);
 
+const start = (name: string) => startWorker(script, name);
+
 /** Replaces every zip by what it holds. */
 export async function openZips({ files, refused }: Gathered): Promise<Gathered> {
   const opened: Gathered = { files: files.filter(({ path }) => !isZip(path)), refused: [...refused] };
-  const zips = files.filter(({ path }) => isZip(path));
-  if (zips.length === 0) return opened;
-  const worker = new Worker(new URL("../../worker/unzip.ts", import.meta.url), { type: "module", name: "unzip" });
-  try {
-    for (const zip of zips) {
-      const answer = await ask(worker, zip);
-      opened.files.push(...answer.files);
-      opened.refused.push(...answer.refused);
-    }
-  } finally {
-    worker.terminate();
+  for (const zip of files.filter((file) => isZip(file.path))) {
+    const { files: found, refused: lacking } = await open(zip.path, zip.data);
+    // What is in a zip came the way the zip came.
+    for (const file of found) opened.files.push({ ...zip, ...file });
+    for (const file of lacking) opened.refused.push(file);
   }
   return opened;
 }
 
-function ask(worker: Worker, request: UnzipRequest): Promise<UnzipAnswer> {
-  return new Promise((resolve) => {
-    worker.onmessage = (event: MessageEvent<UnzipAnswer>) => resolve(event.data);
-    worker.onerror = (event) => {
-      const reason = event.message || "The zip could not be opened.";
-      resolve({ files: [], refused: [{ path: request.path, reason }] });
-    };
-    worker.postMessage(request);
-  });
+/** One that used up the memory must not take it from the next: each has a worker to itself. */
+async function open(path: string, data: Blob): Promise<Unzipped> {
+  const worker = new LiveWorker<UnzipWorker>(start, { title: "What opens zips" });
+  try {
+    return await worker.api.open(path, data);
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { files: [], refused: [{ path, reason }] };
+  } finally {
+    worker.end();
+  }
 }

@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
+import { aboutShown } from "../about/dialog";
 import { Dialog } from "../ui/dialog";
 import { keysOn, type ShortcutGroup } from "./shortcuts";
 
@@ -15,9 +16,10 @@ interface Explained {
 /** What tables and the view listen to themselves, while they have the focus. */
 const ELSEWHERE: readonly Explained[] = [
   {
-    title: "In tables",
+    title: "In tables and lists",
     keys: [
       ["↑ ↓", "Walk the rows"],
+      ["Page ↑ ↓", "A screen up, down"],
       ["Home End", "First and last row"],
       ["Enter", "Select the row"],
     ],
@@ -63,6 +65,18 @@ export function KeySheet({ groups }: { groups: readonly ShortcutGroup[] }): JSX.
         />
         Single-key shortcuts
       </label>
+      <p>
+        <button
+          type="button"
+          class="link"
+          onClick={() => {
+            keysShown.value = false;
+            aboutShown.value = true;
+          }}
+        >
+          About the playground: the paper, how to cite, licence, privacy
+        </button>
+      </p>
     </Dialog>
   );
 }

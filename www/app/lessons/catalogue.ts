@@ -27,4 +27,9 @@ export const LESSONS: readonly LessonInfo[] = [
     title: "Implicit and parametric",
     about: "One surface, two vectors, and why the sign of one of them decides a published figure.",
   },
+  {
+    id: "lesson-protocols",
+    title: "How to win by protocol",
+    about: "Drop and merge the segments of a part, and watch eight evaluation scripts disagree about the result.",
+  },
 ];

@@ -2,7 +2,7 @@
 
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import { PageLink } from "../shell/page-link";
+import { PageLink } from "../navigation/page-link";
 import { goToStep, readStep, step } from "./steps";
 import "./lessons.css";
 

@@ -1,7 +1,7 @@
 // The list of lessons.
 
 import type { JSX } from "preact";
-import { PageLink } from "../shell/page-link";
+import { PageLink } from "../navigation/page-link";
 import { LESSONS } from "./catalogue";
 import "./lessons.css";
 

@@ -1,9 +1,12 @@
 // A lesson's own engine: a worker that lives as long as the lesson is shown.
 
-import * as Comlink from "comlink";
+import type * as Comlink from "comlink";
 import { effect } from "@preact/signals";
 import { useLayoutEffect, useState } from "preact/hooks";
+import script from "../../worker/lessons?worker&url";
 import type { LessonsWorker } from "../../worker/lessons";
+import { LiveWorker } from "../engine/live-worker";
+import { startWorker } from "../engine/own-script";
 import { notify } from "../state/notices";
 
 export type LessonEngine = Comlink.Remote<LessonsWorker>;
@@ -23,31 +26,33 @@ export interface Start {
   readonly again: () => void;
 }
 
+const start = (name: string) => startWorker(script, name);
+
 /** The session once `open` is done with it: before there is something to work on, no tool is shown that would do nothing. */
 export function useSession(open: (session: Session) => Promise<void>): Start {
   const [outcome, setOutcome] = useState<Omit<Start, "again">>({});
   const [attempt, setAttempt] = useState(0);
   // Before the page is painted: `open` takes away what was found at an earlier visit.
   useLayoutEffect(() => {
-    const worker = new Worker(new URL("../../worker/lessons.ts", import.meta.url), { type: "module", name: "lesson" });
-    const engine = Comlink.wrap<LessonsWorker>(worker);
     let stage: "starting" | "running" | "ended" = "starting";
     const end = () => {
       stage = "ended";
-      worker.terminate();
+      worker.end();
+    };
+    const fail = (reason: string) => {
+      if (stage === "ended") return;
+      end();
+      setOutcome({ failure: reason });
     };
     const tell = (reason: string) => {
       if (stage === "running") notify(reason, "error");
-      if (stage !== "starting") return;
-      end();
-      setOutcome({ failure: reason });
+      else fail(reason);
     };
     const run = (work: () => Promise<void>) => {
       work().catch((error: unknown) => tell(error instanceof Error ? error.message : String(error)));
     };
-    // A script that cannot be loaded leaves every call without an answer.
-    worker.addEventListener("error", (event) => tell(event.message || "The engine could not be loaded."));
-    const begun = { engine, run };
+    const worker = new LiveWorker<LessonsWorker>(start, { title: "The engine", onEnd: ({ message }) => fail(message) });
+    const begun = { engine: worker.api, run };
     run(async () => {
       await open(begun);
       if (stage !== "starting") return;

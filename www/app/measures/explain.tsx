@@ -7,7 +7,8 @@ import type { Measure } from "../engine/contract";
 import { protocol } from "../state/settings";
 import { Icon } from "../ui/icon";
 import { placeBeside } from "../ui/place";
-import { MEASURE_TEXT, protocolNote } from "./measures";
+import { Formula } from "./formula";
+import { MEASURE } from "./measures";
 
 const explained = signal<{ measure: Measure; anchor: HTMLElement } | undefined>(undefined);
 
@@ -68,25 +69,25 @@ export function ExplainPopover(): JSX.Element {
 }
 
 function Explanation({ measure }: { measure: Measure }): JSX.Element {
-  const text = MEASURE_TEXT[measure];
-  const note = protocolNote(measure, protocol.value);
+  const { name, symbol, formula, meaning, range, better, mean, section, published } = MEASURE[measure];
+  const note = protocol.value === "published" ? published : "";
   return (
     <>
       <h3>
-        {measure} <span>{text.name}</span>
+        {measure} <span>{name}</span>
       </h3>
-      {text.formula}
-      <p>{text.meaning}</p>
+      <Formula symbol={symbol} formula={formula} />
+      <p>{meaning}</p>
       {note && <p class="protocol-note">{note}</p>}
       <dl>
         <dt>Range</dt>
-        <dd>{text.range}</dd>
+        <dd>{range}</dd>
         <dt>Good</dt>
-        <dd>{text.good === "higher" ? "higher is better ↑" : "lower is better ↓"}</dd>
+        <dd>{better === "higher" ? "higher is better ↑" : "lower is better ↓"}</dd>
         <dt>Mean</dt>
-        <dd>{text.mean}</dd>
+        <dd>{mean}</dd>
         <dt>Paper</dt>
-        <dd>{text.section}</dd>
+        <dd>{section}</dd>
       </dl>
     </>
   );

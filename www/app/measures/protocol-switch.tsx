@@ -1,32 +1,31 @@
-// Definition | Published.
+// Definition | Published, and the way to all the others.
 
 import type { JSX } from "preact";
-import type { Protocol } from "../engine/contract";
 import { protocol } from "../state/settings";
-import { protocolShown } from "./protocol-dialog";
+import { capitalised } from "../ui/format";
+import { compareAll, protocolShown } from "./protocol-dialog";
+import { PROTOCOLS } from "./protocols";
 import { Icon } from "../ui/icon";
-
-const PROTOCOLS: readonly { id: Protocol; title: string }[] = [
-  { id: "definition", title: "Definition" },
-  { id: "published", title: "Published" },
-];
 
 export function ProtocolSwitch(): JSX.Element {
   return (
     <fieldset class="switch">
       <legend class="visually-hidden">Protocol</legend>
-      {PROTOCOLS.map(({ id, title }) => (
-        <label key={id}>
+      {PROTOCOLS.map(({ name }) => (
+        <label key={name}>
           <input
             type="radio"
             name="protocol"
-            value={id}
-            checked={protocol.value === id}
-            onChange={() => (protocol.value = id)}
+            value={name}
+            checked={protocol.value === name}
+            onChange={() => (protocol.value = name)}
           />
-          <span>{title}</span>
+          <span>{capitalised(name)}</span>
         </label>
       ))}
+      <button type="button" class="roomy" title="The submissions by every protocol of the field, side by side" onClick={compareAll}>
+        All…
+      </button>
       <button
         type="button"
         class="explain"
@@ -39,6 +38,8 @@ export function ProtocolSwitch(): JSX.Element {
   );
 }
 
+/** Goes on to the next protocol. */
 export function toggleProtocol(): void {
-  protocol.value = protocol.value === "definition" ? "published" : "definition";
+  const at = PROTOCOLS.findIndex(({ name }) => name === protocol.value);
+  protocol.value = (PROTOCOLS[at + 1] ?? PROTOCOLS[0])?.name ?? protocol.value;
 }

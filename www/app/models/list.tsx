@@ -12,6 +12,7 @@ import { protocol } from "../state/settings";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import * as format from "../ui/format";
 import { Icon } from "../ui/icon";
+import { Seen, type Place } from "../ui/seen";
 
 type Order = "model" | "points" | "diagnostics" | Measure;
 
@@ -96,17 +97,18 @@ export function ModelList(): JSX.Element {
       {total === 0 ? (
         <Empty />
       ) : (
-        <ul>
-          {shown.map((entry) => (
-            <Item key={entry.id} entry={entry} by={order.value} />
-          ))}
-        </ul>
+        <Seen
+          as="ul"
+          items={shown}
+          handle="button"
+          draw={(entry, place) => <Item key={entry.id} entry={entry} by={order.value} place={place} />}
+        />
       )}
     </aside>
   );
 }
 
-function Item({ entry, by }: { entry: ModelEntry; by: Order }): JSX.Element {
+function Item({ entry, by, place }: { entry: ModelEntry; by: Order; place: Place }): JSX.Element {
   const { id, status, origin } = entry;
   const report = reportOf(entry);
   const measure: Measure = by === "model" || by === "points" || by === "diagnostics" ? "DSC" : by;
@@ -114,7 +116,7 @@ function Item({ entry, by }: { entry: ModelEntry; by: Order }): JSX.Element {
   const worst = findings.some(({ severity }) => severity === "error") ? "error" : "warning";
   const counts = findings.filter(({ severity }) => severity !== "note").length;
   return (
-    <li>
+    <li {...place}>
       <button type="button" aria-current={id === selectedModel.value ? "true" : undefined} onClick={() => selectModel(id)}>
         <span class="name">
           {id}

@@ -1,5 +1,6 @@
 // The service worker that makes the page work without a network after the first visit.
 
+import { ownScript } from "../engine/own-script";
 import { notify } from "../state/notices";
 
 /** On a slow line, what the reader waits for comes before what is kept for later. */
@@ -15,7 +16,7 @@ export function keepForOfflineLater(): void {
  */
 function keepForOffline(): void {
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
-  navigator.serviceWorker.register("./sw.js").then(announceUpdates, () => {
+  navigator.serviceWorker.register(ownScript("./sw.js")).then(announceUpdates, () => {
     // Private windows and plain http hosts refuse; the page works all the same, with a network.
   });
 }

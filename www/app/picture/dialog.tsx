@@ -1,11 +1,9 @@
 // The sheet to save a picture. What is in it is fetched when it is first opened.
 
 import type { JSX } from "preact";
-import { signal } from "@preact/signals";
+import { picturing } from "../stage/current";
 import { Dialog } from "../ui/dialog";
 import { Lazy, type Load } from "../ui/lazy";
-
-export const picturing = signal(false);
 
 const load: Load = () => import("./sheet");
 

@@ -6,16 +6,14 @@ import { useEffect } from "preact/hooks";
 import { download } from "../export/download";
 import { withText } from "../export/png";
 import { provenanceOf } from "../export/provenance";
-import { safe } from "../export/submission";
+import { currentView, picturing } from "../stage/current";
 import { colourMode, sides } from "../stage/display";
-import { currentView } from "../stage/isolation";
 import { reports } from "../stage/reports";
 import { notify } from "../state/notices";
 import { scene } from "../state/scene";
 import { selectedModel, selectedPrimitive } from "../state/selection";
 import { remembered } from "../state/settings";
 import { compose, type Background, type Subject, type Wish } from "./compose";
-import { picturing } from "./dialog";
 
 /** A larger side than this is beyond what some graphics cards and browsers make. */
 const LARGEST = 8192;
@@ -50,7 +48,7 @@ export default function PictureSheet(): JSX.Element {
     busy.value = true;
     try {
       const [file, provenance] = await Promise.all([compose(view, subject, wish), provenanceOf([subject.model])]);
-      download(`${safe(subject.model)}-${subject.mode}.png`, await withText(file, "fit4cad", JSON.stringify(provenance)));
+      download(`${subject.model}-${subject.mode}.png`, await withText(file, "fit4cad", JSON.stringify(provenance)));
       picturing.value = false;
     } catch (error) {
       notify(`The picture could not be made: ${error instanceof Error ? error.message : String(error)}`, "error");

@@ -1,6 +1,7 @@
 // The public models: which there are, and where the public repository keeps their files.
 
-export type SetName = "training" | "test";
+import { SEGMENTATION } from "../../shared/roles.mjs";
+import type { PublicModel, SetName } from "../state/origin";
 
 export interface PublicSet {
   readonly name: SetName;
@@ -14,12 +15,6 @@ export const SETS: readonly PublicSet[] = [
   { name: "test", title: "Test set", count: 35 },
 ];
 
-/** One of the public models. */
-export interface PublicModel {
-  readonly set: SetName;
-  readonly number: number;
-}
-
 export interface PublicFile {
   /** Where it lies below the base address. */
   readonly address: string;
@@ -30,11 +25,13 @@ export interface PublicFile {
   readonly model: PublicModel;
 }
 
-type Role = "primitives" | "parametric" | "implicit";
+type Role = (typeof SEGMENTATION)[number];
 
-const TRUTH: readonly Role[] = ["primitives", "parametric", "implicit"];
-const RESULTS: readonly { readonly method: string; readonly roles: readonly Role[] }[] = [
-  { method: "HT", roles: TRUTH },
+/** The methods whose results for the test set the public repository has. */
+export const PUBLISHED_METHODS = ["HT", "PG"] as const;
+export type PublishedMethod = (typeof PUBLISHED_METHODS)[number];
+const RESULTS: readonly { readonly method: PublishedMethod; readonly roles: readonly Role[] }[] = [
+  { method: "HT", roles: SEGMENTATION },
   // Published as segmentations alone, without surfaces.
   { method: "PG", roles: ["primitives"] },
 ];
@@ -46,10 +43,10 @@ export function filesOf(set: SetName, number: number, withResults: boolean): Pub
   const given = (address: string): PublicFile => ({ address, path: address, isResult: false, model });
   if (set === "training") {
     const folder = "dataset/training_set";
-    return [`${folder}/${name}.txt`, ...TRUTH.map((role) => `${folder}/${name}_${role}.txt`)].map(given);
+    return [`${folder}/${name}.txt`, ...SEGMENTATION.map((role) => `${folder}/${name}_${role}.txt`)].map(given);
   }
   const folder = "dataset/test_set";
-  const truth = TRUTH.map((role) => `${folder}/pointCloud_${role}/${name}_${role}.txt`);
+  const truth = SEGMENTATION.map((role) => `${folder}/pointCloud_${role}/${name}_${role}.txt`);
   return [`${folder}/pointCloud/${name}.txt`, ...truth].map(given).concat(withResults ? resultsOf(folder, model) : []);
 }
 

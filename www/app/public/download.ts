@@ -4,9 +4,11 @@ import { signal } from "@preact/signals";
 import { takeDownloaded } from "../intake/intake";
 import type { BroughtFile, Unplaced } from "../state/inbox";
 import { notify } from "../state/notices";
+import type { SetName } from "../state/origin";
 import { plural } from "../ui/format";
-import { filesOf, type PublicFile, type SetName } from "./catalogue";
+import { filesOf, type PublicFile } from "./catalogue";
 import { fetchFile, type FetchOptions } from "./fetch";
+import { isPublicBase } from "./source";
 
 /** As many as a browser asks of one host at a time over HTTP/1. */
 const PARALLEL = 6;
@@ -57,12 +59,14 @@ export type Ending = "complete" | "short" | "stopped";
 export async function downloadModels(base: URL, { set, numbers, withResults }: Wanted, stopped?: AbortSignal): Promise<Ending> {
   const models = numbers.map((number) => filesOf(set, number, withResults));
   const total = models.flat().length;
+  // A copy that the page's address names may hold anything.
+  const named = isPublicBase(base) ? {} : { named: base.href };
   const start: Download = { what: plural(models.length, `${set} model`), unit: "files", done: 0, total, bytes: 0 };
   return run(start, stopped, async (options) => {
     const arrival = new Arrival();
     const ended = await inParallel(models.flat(), async (file) => {
       const fetched = await fetchFile(new URL(file.address, base), { ...options, limit: MAX_FILE_BYTES });
-      if (fetched.kind === "file") arrival.files.push({ path: file.path, data: fetched.data, publicModel: file.model });
+      if (fetched.kind === "file") arrival.files.push({ path: file.path, data: fetched.data, publicModel: file.model, ...named });
       else if (fetched.kind === "failed") arrival.lack(file, fetched.reason);
       else arrival.lack(file, `${base.host} has no ${file.address} (404).`);
       arrival.settled.add(file);
@@ -74,9 +78,14 @@ export async function downloadModels(base: URL, { set, numbers, withResults }: W
   });
 }
 
+/** What a downloaded zip is called on the page. */
+export function fileName(address: URL): string {
+  return address.pathname.split("/").at(-1) ?? "data.zip";
+}
+
 /** Opens a zip by its address. */
 export async function downloadZip(address: URL): Promise<Ending> {
-  const path = address.pathname.split("/").at(-1) ?? "data.zip";
+  const path = fileName(address);
   return run({ what: path, unit: "bytes", done: 0, total: undefined, bytes: 0 }, undefined, async (options) => {
     const onPiece: FetchOptions["onPiece"] = (bytes, whole) => {
       options.onPiece(bytes, whole);
@@ -84,7 +93,7 @@ export async function downloadZip(address: URL): Promise<Ending> {
     };
     try {
       const fetched = await fetchFile(address, { ...options, onPiece, limit: MAX_ZIP_BYTES });
-      if (fetched.kind === "file") return { files: [{ path, data: fetched.data }], lacking: [], notes: [], taken: 1, wanted: 1 };
+      if (fetched.kind === "file") return { files: [{ path, data: fetched.data, named: address.href }], lacking: [], notes: [], taken: 1, wanted: 1 };
       const reason = fetched.kind === "failed" ? fetched.reason : `${address.host} has no such file (404).`;
       return { files: [], lacking: [{ path: address.href, reason }], notes: [], taken: 0, wanted: 1 };
     } catch (error) {

@@ -3,7 +3,8 @@
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
 import { plural } from "../ui/format";
-import { filesOf, readNumbers, SETS, type SetName } from "./catalogue";
+import type { SetName } from "../state/origin";
+import { filesOf, PUBLISHED_METHODS, readNumbers, SETS } from "./catalogue";
 import { download, downloadModels, shortfall } from "./download";
 import { DownloadProgress } from "./progress";
 import { publicBase } from "./source";
@@ -72,7 +73,7 @@ export function PublicForm({ onTaken }: { onTaken: () => void }): JSX.Element {
             checked={withResults.value}
             onChange={(event) => (withResults.value = event.currentTarget.checked)}
           />
-          With the published results of HT and PG
+          With the published results of {PUBLISHED_METHODS.join(" and ")}
         </label>
       )}
       <div class="row">

@@ -23,6 +23,11 @@ export function publicBase(): Checked {
   };
 }
 
+/** Whether models from there are the public ones, and not those of a copy. */
+export function isPublicBase(base: URL): boolean {
+  return base.href === PUBLIC_BASE;
+}
+
 /** Whether a zip may be opened by its address: the same host, or raw GitHub. */
 export function checkZip(asked: string): Checked {
   const refuse = (why: string): Checked => ({ kind: "refused", reason: `“${asked}” was not opened: ${why}` });

@@ -2,56 +2,40 @@
 
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { PARTS } from "../../generated/declared/parts.js";
+import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
 import type { SampleOptions } from "../engine/contract";
-import { listParts, makeSample, partList } from "./samples";
-
-interface Control {
-  readonly id: keyof SampleOptions;
-  readonly label: string;
-  readonly explanation: string;
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-}
-
-const CONTROLS: readonly Control[] = [
-  { id: "spacing", label: "Spacing", explanation: "distance between points, over the part's diagonal; empty for the part's own", min: 0.001, max: 0.05, step: 0.0005 },
-  { id: "noise", label: "Noise", explanation: "standard deviation along the normal, over the diagonal", min: 0, max: 0.02, step: 0.0005 },
-  { id: "outliers", label: "Outliers", explanation: "share of points strewn through the bounding box", min: 0, max: 0.3, step: 0.01 },
-  { id: "missing", label: "Missing", explanation: "share of points cut away", min: 0, max: 0.5, step: 0.05 },
-  { id: "seed", label: "Seed", explanation: "another seed, another sample; the same seed, the same sample", min: 0, max: 999999, step: 1 },
-];
+import { capitalised } from "../ui/format";
+import { makeSample } from "./samples";
 
 export function SampleForm({ onMade }: { onMade: () => void }): JSX.Element {
-  useEffect(() => void listParts(), []);
   const options = useSignal<SampleOptions>({});
   return (
     <form class="samples" onSubmit={(event) => event.preventDefault()}>
       <p>Each has a true ground truth and a submission that is imperfect on purpose, so that there is something to score.</p>
       <div class="controls">
-        {CONTROLS.map(({ id, label, explanation, min, max, step }) => (
-          <label key={id} title={explanation}>
-            {label}
+        {SAMPLE_OPTIONS.map(({ name, unit, minimum, maximum, default: initial, whole, explanation }) => (
+          <label key={name} title={unit === "" ? explanation : `${explanation} ${capitalised(unit)}.`}>
+            {capitalised(name)}
             <input
               type="number"
               inputMode="decimal"
-              min={min}
-              max={max}
-              step={step}
-              placeholder={id === "spacing" ? "auto" : id === "seed" ? "1" : "0"}
+              min={minimum}
+              max={maximum}
+              step={whole ? 1 : "any"}
+              placeholder={String(initial)}
               aria-description={explanation}
               onInput={(event) => {
-                const { [id]: _, ...others } = options.value;
+                const { [name]: _, ...others } = options.value;
                 const value = event.currentTarget.valueAsNumber;
-                options.value = Number.isFinite(value) ? { ...others, [id]: value } : others;
+                options.value = Number.isFinite(value) ? { ...others, [name]: value } : others;
               }}
             />
           </label>
         ))}
       </div>
       <ul class="parts">
-        {partList.value.map(({ name, title, description }) => (
+        {PARTS.map(({ name, title, description }) => (
           <li key={name}>
             <button
               type="button"

@@ -1,27 +1,34 @@
 // Which sample is which: a part with its options.
 
+import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
 import type { SampleOptions } from "../engine/contract";
-import type { Origin } from "../state/models";
+import type { Origin } from "../state/origin";
 
 export type SampleOrigin = Extract<Origin, { readonly kind: "sample" }>;
 
 type Option = keyof SampleOptions;
 
-/** In the order in which names have them. */
-const OPTIONS: readonly Option[] = ["spacing", "noise", "outliers", "missing", "seed"];
-/** Saying these says nothing. */
-const IDLE: SampleOptions = { noise: 0, outliers: 0, missing: 0, seed: 1 };
+/** What an option is where it is not given. */
+export function initialOf(option: Option): number {
+  return SAMPLE_OPTIONS.find(({ name }) => name === option)?.default ?? 0;
+}
 
+/** Those that say something: to ask for what is so anyway says nothing. */
 function telling(options: SampleOptions): Option[] {
-  return OPTIONS.filter((option) => options[option] !== undefined && options[option] !== IDLE[option]);
+  const said = SAMPLE_OPTIONS.filter(({ name, default: initial }) => options[name] !== undefined && options[name] !== initial);
+  return said.map(({ name }) => name);
 }
 
 /** Another name for every other sample of a part: `bracket`, `bracket-noise0.001-seed9`. */
 export function nameOfSample({ part, options }: Pick<SampleOrigin, "part" | "options">): string {
-  return [part, ...telling(options).map((option) => `${option}${options[option]}`)].join("-");
+  return [part, ...tellingWords(options)].join("-");
+}
+
+function tellingWords(options: SampleOptions): string[] {
+  return telling(options).map((option) => `${option}${options[option]}`);
 }
 
 /** Whether two origins are of one sample. */
 export function isSameSample(a: Origin, b: Pick<SampleOrigin, "part" | "options">): boolean {
-  return a.kind === "sample" && nameOfSample(a) === nameOfSample(b);
+  return a.kind === "sample" && a.part === b.part && tellingWords(a.options).join() === tellingWords(b.options).join();
 }

@@ -1,22 +1,12 @@
 // Parts made by the engine, with true ground truth and a submission that is imperfect on purpose.
 
-import { signal } from "@preact/signals";
+import { PARTS } from "../../generated/declared/parts.js";
 import { engine } from "../engine/client";
-import type { SampleOptions, PartInfo } from "../engine/contract";
-import { addMade, keepMade, type Entrance } from "../state/inbox";
+import type { SampleOptions } from "../engine/contract";
+import { addMade, keepMade, type Entrance } from "../state/arrivals";
 import { models } from "../state/models";
 import { notify } from "../state/notices";
 import { isSameSample, nameOfSample, type SampleOrigin } from "./identity";
-
-export const partList = signal<readonly PartInfo[]>([]);
-
-let listed: Promise<void> | undefined;
-
-/** Asks the engine once which parts it can make. */
-export function listParts(): Promise<void> {
-  listed ??= engine.run((api) => api.parts()).then((parts) => void (partList.value = parts));
-  return listed;
-}
 
 /** Has a sample on the page, made anew unless it is there. Says so where it cannot be made. */
 export async function makeSample(part: string, options: SampleOptions, how: Entrance = "shown", stopped?: AbortSignal): Promise<void> {
@@ -42,7 +32,6 @@ function keepIfHere(origin: SampleOrigin, how: Entrance): boolean {
 
 /** Puts the first part on the page, so that there is something to see from the start. */
 export async function openFirstSample(): Promise<void> {
-  await listParts();
-  const first = partList.value[0];
+  const [first] = PARTS;
   if (first) await makeSample(first.name, {}, "opening");
 }

@@ -1,6 +1,7 @@
 // The summary: every measure of every submission.
 
 import type { JSX } from "preact";
+import { rulesOf } from "../measures/protocols";
 import { methods, models, scoredRows } from "../state/models";
 import { protocol, remembered } from "../state/settings";
 import * as format from "../ui/format";
@@ -17,7 +18,7 @@ const layout = remembered("table", "submissions", LAYOUTS.map(({ id }) => id));
 export default function ScoresPanel(): JSX.Element {
   const rows = scoredRows.value;
   if (rows.length === 0) return <NothingScored />;
-  const rules = protocol.value === "published" ? "as the published tables were made" : "by definition";
+  const rules = rulesOf(protocol.value);
   const caption = `Means over primitives, ${rules}`;
   return (
     <>

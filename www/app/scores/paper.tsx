@@ -5,11 +5,12 @@ import type { JSX } from "preact";
 import { computed } from "@preact/signals";
 import type { Measure, Report } from "../engine/contract";
 import { ExplainButton } from "../measures/explain";
-import { MEASURE_TEXT, MEASURES } from "../measures/measures";
+import { MEASURE, MEASURES } from "../measures/measures";
 import { methods, scoredRows } from "../state/models";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import { protocol } from "../state/settings";
 import * as format from "../ui/format";
+import { isWindowed, Seen, type Place } from "../ui/seen";
 import { means } from "./means";
 import { titleOf } from "./submissions";
 
@@ -31,7 +32,7 @@ const rows = computed<readonly ModelRow[]>(() => {
 export function PaperTable({ caption }: { caption: string }): JSX.Element {
   const columns = methods.value;
   return (
-    <table class="paper">
+    <table class="paper" aria-rowcount={isWindowed(rows.value.length) ? rows.value.length + 2 : undefined}>
       <caption>{caption}</caption>
       <thead>
         <tr>
@@ -66,11 +67,14 @@ export function PaperTable({ caption }: { caption: string }): JSX.Element {
           )}
         </tr>
       </thead>
-      <tbody>
-        {rows.value.map((row) => (
-          <Row key={row.id} {...row} />
-        ))}
-      </tbody>
+      <Seen
+        as="tbody"
+        items={rows.value}
+        headRows={2}
+        columns={3 + columns.length * (1 + MEASURES.length)}
+        handle=".row-name"
+        draw={(row, place) => <Row key={row.id} row={row} place={place} />}
+      />
       {means.value && (
         <tfoot>
           <tr>
@@ -102,7 +106,7 @@ export function PaperTable({ caption }: { caption: string }): JSX.Element {
   );
 }
 
-function Row({ id, reports }: ModelRow): JSX.Element {
+function Row({ row: { id, reports }, place }: { row: ModelRow; place: Place }): JSX.Element {
   const any = reports.find((report) => report !== undefined);
   const selected = id === selectedModel.value;
   const cellOf = (at: number, numeric = true) => ({
@@ -111,7 +115,7 @@ function Row({ id, reports }: ModelRow): JSX.Element {
     "data-selected": (selected && methods.value[at] === selectedMethod.value) || undefined,
   });
   return (
-    <tr aria-current={selected ? "true" : undefined}>
+    <tr {...place} aria-current={selected ? "true" : undefined}>
       <th scope="row">
         <button type="button" class="row-name" onClick={() => selectModel(id)}>
           {id}
@@ -144,5 +148,5 @@ function Row({ id, reports }: ModelRow): JSX.Element {
 function bestOf(measure: Measure, reports: ModelRow["reports"]): number | undefined {
   const values = reports.flatMap((report) => report?.mean[measure] ?? []);
   if (values.length < 2) return undefined;
-  return MEASURE_TEXT[measure].good === "higher" ? Math.max(...values) : Math.min(...values);
+  return MEASURE[measure].better === "higher" ? Math.max(...values) : Math.min(...values);
 }

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { signal } from "@preact/signals";
 import { measureColumn } from "../measures/column";
 import { MEASURES } from "../measures/measures";
-import { scoredRows, type ScoredRow } from "../state/models";
+import { isFitted, scoredRows, type ScoredRow } from "../state/models";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import { protocol } from "../state/settings";
 import { count, words } from "../ui/columns";
@@ -20,7 +20,17 @@ function report({ reports }: ScoredRow) {
 
 const COLUMNS: readonly Column<ScoredRow>[] = [
   words("model", "Model", ({ entry }) => entry.id),
-  words("method", "Method", ({ reports }) => reports.method),
+  {
+    ...words<ScoredRow>("method", "Method", ({ reports }) => reports.method),
+    cell: ({ entry, reports }) =>
+      isFitted(entry, reports.method) ? (
+        <>
+          {reports.method} <abbr title="Its surfaces were fitted here to the segments that were given">†</abbr>
+        </>
+      ) : (
+        reports.method
+      ),
+  },
   count("points", "Points", (row) => report(row).points),
   count("truth", "True", (row) => report(row).truth, { label: "true primitives" }),
   count("predicted", "Pred.", (row) => report(row).predicted, { label: "predicted primitives" }),

@@ -1,12 +1,15 @@
 // Says that the page was opened with a link, and how its claims stand.
 
 import type { JSX } from "preact";
-import { goToPanel } from "../shell/panels";
+import { goToPanel } from "../state/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
+import { wordsOf } from "./basis";
 import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
-import { failed, fitsOf, rebuild, rebuilding, recomputingOf, restOf, stopRebuilding, workOf, type Recomputing } from "./rebuild";
+import { workOf } from "./plan";
+import { failed, fitsOf, rebuild, rebuilding, recomputingOf, restOf, stopRebuilding, type Recomputing } from "./rebuild";
 import type { SharedResults } from "./shared";
+import { versionWords } from "./version";
 
 export function SharedBanner(): JSX.Element | null {
   const state = opened.value;
@@ -85,21 +88,36 @@ function OtherEngine(): JSX.Element | null {
   return (
     <>
       {" "}
-      The link was made with engine {state.results.engine}, this is {here}.
+      Claimed with {versionWords(state.results.engine)}, checked with engine {here}.
     </>
   );
 }
 
-/** How the claims stand, in a sentence. */
+/** By which rules, where they are not those of the paper's definitions. */
+function rules(): string {
+  const state = opened.value;
+  return state.kind === "shared" && state.results.protocol === "published" ? " under the published protocol" : "";
+}
+
+/** How the claims stand, in a sentence or two. */
 export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Element {
+  return (
+    <>
+      <Verdicts embedded={embedded} />
+      <OtherEngine />
+    </>
+  );
+}
+
+function Verdicts({ embedded }: { embedded: boolean }): JSX.Element {
   const all = judged.value.length;
-  const { verified, differs, uncheckable, "other files": others } = tally.value;
+  const { verified, recomputed, renamed, copied, repeated, differs, uncheckable, "other files": others } = tally.value;
+  const results = `${plural(all, "shared result")}${rules()}`;
   if (all === 0) return <>This link holds no results.</>;
   if (uncheckable === all) {
     return (
       <>
-        <strong>As claimed.</strong> {plural(all, "shared result")}. The link does not say which files they are about, so
-        they cannot be checked.
+        <strong>As claimed.</strong> {results}. It cannot be told which files they are about, so they cannot be checked.
       </>
     );
   }
@@ -108,34 +126,58 @@ export function Standing({ embedded = false }: { embedded?: boolean }): JSX.Elem
       <>
         <strong>{differs === all ? "The figures differ." : `${differs} of ${plural(all, "result")} differ.`}</strong> The
         same files, scored here, gave other figures.
-        <OtherEngine />
       </>
     );
   }
   if (verified === all) {
     return (
       <>
-        <strong>Verified here.</strong> {plural(all, "shared result")}: the same files, scored on this computer, gave
-        every digit.
+        <strong>Verified here.</strong> {results}: the same files, scored on this computer, gave every digit.
+      </>
+    );
+  }
+  const weak = [renamed > 0 && `${renamed} of files that are called otherwise here`, copied > 0 && `${copied} of the ground truth itself`];
+  const repeats = repeated > 0 && (all === repeated + 1 ? "all of them one and the same" : `${repeated} repeating others of them`);
+  if (recomputed > 0 && recomputed + repeated === all) {
+    return (
+      <>
+        <strong>Recomputed from the link.</strong> {results}
+        {repeats && `, ${repeats}`}: {scored()}, made again on this computer, gave every digit. What the link calls{" "}
+        {all === 1 ? "it" : "them"} is not borne out.
       </>
     );
   }
   const open = judged.value.filter(({ verdict }) => verdict.kind === "claimed").map(recomputingOf);
   const count = (wanted: Recomputing) => open.filter((how) => how === wanted).length;
-  const [underWay, unfitted, notDone] = [count("under way"), count("failed"), count("not done")];
-  const toDrop = all - verified - underWay - unfitted - notDone;
+  const [underWay, unfitted, notDone, toDrop] = [count("under way"), count("failed"), count("not done"), count("not possible") + others];
+  const parts = [
+    verified > 0 && `${verified} verified here`,
+    recomputed > 0 && `${recomputed} recomputed from the link`,
+    ...weak,
+    repeats,
+    others > 0 && `${others} with other files`,
+    underWay > 0 && `${underWay} being recomputed`,
+    unfitted > 0 && `${unfitted} whose fit failed`,
+    notDone > 0 && `${notDone} not recomputed`,
+    uncheckable > 0 && `${uncheckable} that cannot be checked`,
+  ];
   return (
     <>
-      <strong>As claimed.</strong> {plural(all, "shared result")}
-      {verified > 0 && `, ${verified} verified here`}
-      {others > 0 && `, ${others} with other files`}
-      {underWay > 0 && `, ${underWay} being recomputed`}
-      {unfitted > 0 && `, ${unfitted} whose fit failed`}
-      {notDone > 0 && `, ${notDone} not recomputed`}.
+      <strong>As claimed.</strong> {[results, ...parts.filter((part) => part !== false)].join(", ")}.
       {toDrop > 0 && ` ${embedded ? "Open full" : "Drop the same files on the page"} to check ${toDrop < all ? "the rest" : "them"}.`}
       <Failed />
     </>
   );
+}
+
+/** Most things told one by one. */
+const FEW = 2;
+
+/** What was scored here, each once: `PG (seed 1) on the sample bracket, and 3 others`. */
+function scored(): string {
+  const bases = [...new Set(judged.value.flatMap(({ verdict }) => ("basis" in verdict ? [wordsOf(verdict.basis)] : [])))];
+  const more = bases.length - FEW;
+  return `${bases.slice(0, FEW).join("; ")}${more > 0 ? `, and ${plural(more, "other")}` : ""}`;
 }
 
 /** The first reason why a fit failed; the panel tells them all. */

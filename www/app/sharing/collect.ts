@@ -1,49 +1,63 @@
-// What is on the page, as a link says it.
+// What is on the page, as a link says it: each kind of content as its own module tells it.
 
 import type { Protocol } from "../engine/contract";
-import { engineVersion } from "../export/results";
-import { fitOf } from "../state/inbox";
 import type { ScoredRow } from "../state/models";
-import { fingerprintsOf } from "./fingerprints";
-import type { Claim, SharedModel, SharedResults, SharedView } from "./shared";
+import type { Origin } from "../state/origin";
+import type { Fingerprints } from "./fingerprints";
+import * as figures from "./kinds/figures";
+import * as fit from "./kinds/fit";
+import type { Page } from "./kinds/page";
+import * as publicModel from "./kinds/public-model";
+import * as sample from "./kinds/sample";
+import * as view from "./kinds/view";
+import type { Claim, SharedModel, SharedOrigin, SharedResults } from "./shared";
 
-/** What the reader looks at, by names as the page has them. */
-export type Looking = Omit<SharedView, "model"> & { readonly model: string | undefined };
+/** What is asked of the rest of the page. */
+export interface Sources {
+  readonly page: Pick<Page, "fitOf">;
+  readonly engine: string;
+  readonly fingerprintsOf: (row: ScoredRow) => Promise<Fingerprints>;
+}
 
-export async function collect(rows: readonly ScoredRow[], protocol: Protocol, looking: Looking): Promise<SharedResults> {
-  const engine = await engineVersion();
-  const entries = [...new Set(rows.map(({ entry }) => entry))];
+export async function collect(rows: readonly ScoredRow[], protocol: Protocol, looked: view.Look | undefined, sources: Sources): Promise<SharedResults> {
+  const groups = byModel(rows);
   const models: SharedModel[] = [];
   const claims: Claim[] = [];
-  for (const [place, entry] of entries.entries()) {
-    const own = rows.filter((row) => row.entry === entry);
-    const first = own[0]?.reports[protocol];
-    if (!first) continue;
-    let inputs: SharedModel["inputs"];
-    for (const { reports } of own) {
-      const { method, [protocol]: report } = reports;
-      const prints = await fingerprintsOf(entry.source.files, method);
-      inputs = prints.inputs;
-      const fitted = fitOf(entry.id, method);
-      claims.push({
-        model: place,
-        method,
-        predicted: report.predicted,
-        typeErrors: report.type_errors,
-        mean: report.mean,
-        ...(fitted && { fitted }),
-        ...(prints.submission !== undefined && { submission: prints.submission }),
-      });
+  for (const [place, [id, own]] of [...groups].entries()) {
+    let told: SharedModel | undefined;
+    for (const row of own) {
+      const { method, [protocol]: report } = row.reports;
+      const { model, claim } = figures.collect(report);
+      const { inputs, submission } = await sources.fingerprintsOf(row);
+      const fitted = fit.collect(id, method, sources.page);
+      claims.push({ model: place, method, ...claim, ...(fitted && { fitted }), ...(submission !== undefined && { submission }) });
+      told ??= { name: id, ...model, origin: collectOrigin(row.entry.origin), ...(inputs !== undefined && { inputs }) };
     }
-    models.push({
-      name: entry.id,
-      points: first.points,
-      truth: first.truth,
-      origin: entry.origin,
-      ...(inputs !== undefined && { inputs }),
-    });
+    if (told) models.push(told);
   }
-  const { model, ...rest } = looking;
-  const place = entries.findIndex(({ id }) => id === model);
-  return { engine, protocol, models, claims, ...(place >= 0 && { view: { ...rest, model: place } }) };
+  const seen = looked && view.collect(looked, [...groups.keys()]);
+  return { engine: sources.engine, protocol, models, claims, ...(seen && { view: seen }) };
+}
+
+/** The rows of each model, by its name, in the order in which models first appear. */
+function byModel(rows: readonly ScoredRow[]): ReadonlyMap<string, readonly ScoredRow[]> {
+  const groups = new Map<string, ScoredRow[]>();
+  for (const row of rows) {
+    const { id } = row.entry;
+    const own = groups.get(id);
+    if (own) own.push(row);
+    else groups.set(id, [row]);
+  }
+  return groups;
+}
+
+function collectOrigin(origin: Origin): SharedOrigin {
+  switch (origin.kind) {
+    case "files":
+      return origin;
+    case "sample":
+      return sample.collect(origin);
+    case "public":
+      return publicModel.collect(origin);
+  }
 }

@@ -1,7 +1,8 @@
 // The fingerprints by which a link knows files again.
 
+import { engine } from "../engine/client";
 import { filesOfMethod, hashed } from "../export/hashes";
-import type { HashedFile } from "../../../bin/formats/results.mjs";
+import type { HashedFile } from "../../shared/formats/results.mjs";
 import type { ModelFile } from "../../worker/protocol";
 import { FINGERPRINT_BYTES, type Fingerprint } from "./shared";
 
@@ -15,10 +16,27 @@ export interface Fingerprints {
 /** Undefined where the browser does not hash (a page that came over an unsafe connection). */
 export async function fingerprintsOf(files: readonly ModelFile[], method: string): Promise<Fingerprints> {
   const all = await hashed(filesOfMethod(files, method));
+  const [truth, submission] = [undefined, method].map((owner) => all.filter((file) => file.method === owner)) as [HashedFile[], HashedFile[]];
   return {
-    inputs: await fingerprint(all.filter((file) => file.method === undefined)),
-    submission: await fingerprint(all.filter((file) => file.method === method)),
+    inputs: await fingerprint(truth),
+    submission: await fingerprint(submission),
   };
+}
+
+/** What is to be known of files that may bear a claim out. */
+export interface Evidence extends Fingerprints {
+  /** Whether the submission's list of points says what the ground truth's file says. */
+  readonly copiesTruth: boolean;
+}
+
+export async function evidenceOf(files: readonly ModelFile[], method: string): Promise<Evidence> {
+  const prints = await fingerprintsOf(files, method);
+  return { ...prints, copiesTruth: await copiesTruth(files, method) };
+}
+
+async function copiesTruth(files: readonly ModelFile[], method: string): Promise<boolean> {
+  const [own, submitted] = [undefined, method].map((owner) => files.find((file) => file.role === "primitives" && file.method === owner));
+  return own !== undefined && submitted !== undefined && engine.run((api) => api.sayTheSame(own.data, submitted.data), { urgency: "background" });
 }
 
 /** Over what the files hold and what they are, not over what they are called. */

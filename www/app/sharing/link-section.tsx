@@ -4,15 +4,17 @@ import type { JSX } from "preact";
 import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useId } from "preact/hooks";
 import { copy } from "../export/download";
-import { restingCamera } from "../stage/camera";
-import { arrangement, colourMode } from "../stage/display";
+import { engineVersion } from "../export/results";
 import { methods, scoredRows } from "../state/models";
-import { leftShows, rightIsTruth, selectedMethod, selectedModel, selectedPrimitive } from "../state/selection";
+import { selectedMethod } from "../state/selection";
 import { protocol } from "../state/settings";
 import { integer, plural } from "../ui/format";
-import { collect, type Looking } from "./collect";
+import { collect } from "./collect";
 import { writeFragment } from "./codec/link";
+import { fingerprintsOf } from "./fingerprints";
+import { looking } from "./looking";
 import type { SharedResults } from "./shared";
+import { thisPage } from "./this-page";
 
 type Made =
   | { readonly kind: "making" }
@@ -28,7 +30,7 @@ export function LinkSection(): JSX.Element {
   useEffect(() => {
     let wanted = true;
     made.value = { kind: "making" };
-    make(rows.value).then((result) => {
+    void make(rows.value).then((result) => {
       if (wanted) made.value = result;
     });
     return () => {
@@ -120,25 +122,15 @@ function Contents({ results, length }: { results: SharedResults; length: number 
 async function make(rows: typeof scoredRows.value): Promise<Made> {
   try {
     if (rows.length === 0) return { kind: "failed", message: "Choose at least one method." };
-    const results = await collect(rows, protocol.peek(), looking());
+    const results = await collect(rows, protocol.peek(), looking(), {
+      page: thisPage,
+      engine: await engineVersion(),
+      fingerprintsOf: ({ entry, reports }) => fingerprintsOf(entry.source.files, reports.method),
+    });
     return { kind: "made", fragment: writeFragment(results), results };
   } catch (error) {
     return { kind: "failed", message: error instanceof Error ? error.message : String(error) };
   }
-}
-
-function looking(): Looking {
-  const [method, primitive, camera] = [selectedMethod.peek(), selectedPrimitive.peek(), restingCamera.peek()];
-  return {
-    model: selectedModel.peek(),
-    ...(method !== undefined && { method }),
-    ...(leftShows.peek() !== undefined && { left: leftShows.peek() }),
-    ...(rightIsTruth.peek() && { rightIsTruth: true }),
-    ...(primitive && { primitive }),
-    ...(camera && { camera }),
-    colour: colourMode.peek(),
-    arrangement: arrangement.peek(),
-  };
 }
 
 /** The page's own address with the results and nothing else. */

@@ -1,11 +1,14 @@
 // The link the page was opened with, and how far what is on the page bears it out.
 
 import { computed, effect, signal } from "@preact/signals";
+import { paced } from "../engine/pace";
 import { models, scoredRows, type ScoredRow } from "../state/models";
-import { fingerprintsOf, type Fingerprints } from "./fingerprints";
-import { isShared } from "./fragment";
-import { judge, type Candidate, type Verdict } from "./judge";
-import type { Claim, SharedModel, SharedResults } from "./shared";
+import { takeBack } from "../state/settings";
+import { candidateOf } from "./candidates";
+import { evidenceOf, type Evidence } from "./fingerprints";
+import { isShared } from "../state/fragment";
+import { judgeAll, type Candidate, type JudgedClaim, type Verdict } from "./judge";
+import type { SharedResults } from "./shared";
 
 export type Opened =
   | { readonly kind: "none" }
@@ -24,65 +27,85 @@ export function isLinkOpen(): boolean {
   return opened.value.kind === "shared";
 }
 
-export interface JudgedClaim {
-  readonly key: string;
-  readonly claim: Claim;
-  readonly model: SharedModel;
-  readonly verdict: Verdict;
+/** Nothing where hashing failed. */
+const evidence = signal<ReadonlyMap<string, Evidence | undefined>>(new Map());
+const asked = new Set<string>();
+let arrived = new Map<string, Evidence | undefined>();
+
+function take(name: string, found: Evidence | undefined): void {
+  arrived.set(name, found);
+  show();
 }
 
-/** Nothing where hashing failed. */
-const fingerprints = signal<ReadonlyMap<string, Fingerprints | undefined>>(new Map());
-const asked = new Set<string>();
+const show = paced(() => {
+  evidence.value = new Map([...evidence.peek(), ...arrived]);
+  arrived = new Map();
+});
 
 /** Named by content: the same rows of other files are others. */
 function nameOf({ entry, reports }: ScoredRow): string {
   return `${entry.source.key}\n${reports.method}`;
 }
 
-// Hashing every model costs time, so it waits for a link that asks for it.
-effect(() => {
+/** Hashes what is on the page while a link is open, until the result is called. It costs time, so it waits for a link that asks for it. */
+export function hashForLink(): () => void {
+  return effect(hash);
+}
+
+function hash(): void {
   if (opened.value.kind !== "shared") return;
   for (const row of scoredRows.value) {
     const name = nameOf(row);
     if (asked.has(name)) continue;
     asked.add(name);
-    const take = (found: Fingerprints | undefined) => (fingerprints.value = new Map(fingerprints.peek()).set(name, found));
-    fingerprintsOf(row.entry.source.files, row.reports.method).then(take, () => {
-      // Asked for again when the models change.
-      asked.delete(name);
-      take(undefined);
-    });
+    evidenceOf(row.entry.source.files, row.reports.method).then(
+      (found) => take(name, found),
+      () => {
+        // Asked for again when the models change.
+        asked.delete(name);
+        take(name, undefined);
+      },
+    );
   }
-});
+}
 
 export const judged = computed<readonly JudgedClaim[]>(() => {
   if (opened.value.kind !== "shared") return [];
   const { claims, models: shared, protocol } = opened.value.results;
   const candidates = scoredRows.value.flatMap((row): Candidate[] => {
-    const known = fingerprints.value.get(nameOf(row));
-    return known ? [{ ...known, model: row.entry.id, report: row.reports[protocol] }] : [];
+    const known = evidence.value.get(nameOf(row));
+    return known ? [candidateOf(row, known, protocol)] : [];
   });
-  return claims.flatMap((claim, place) => {
-    const model = shared[claim.model];
-    return model ? [{ key: String(place), claim, model, verdict: judge(claim, model, candidates) }] : [];
-  });
+  return judgeAll(claims, shared, candidates);
 });
 
 /** Whether anything on the page is still being scored or hashed, so that verdicts may change. */
 export const judging = computed(
-  () => models.value.some(({ status }) => status.kind === "waiting") || scoredRows.value.some((row) => !fingerprints.value.has(nameOf(row))),
+  () => models.value.some(({ status }) => status.kind === "waiting") || scoredRows.value.some((row) => !evidence.value.has(nameOf(row))),
 );
 
 /** How many claims there are of each verdict. */
-export const tally = computed(() => {
-  const counts: Record<Verdict["kind"], number> = { claimed: 0, uncheckable: 0, "other files": 0, differs: 0, verified: 0 };
-  for (const { verdict } of judged.value) counts[verdict.kind] += 1;
-  return counts;
-});
+export const tally = computed(() => tallyOf(judged.value));
 
-/** Takes the link off the page and out of the address. What is on the page stays. */
+export function tallyOf(rows: readonly JudgedClaim[]): Readonly<Record<Verdict["kind"], number>> {
+  const counts = {
+    claimed: 0,
+    uncheckable: 0,
+    "other files": 0,
+    differs: 0,
+    repeated: 0,
+    recomputed: 0,
+    renamed: 0,
+    copied: 0,
+    verified: 0,
+  };
+  for (const { verdict } of rows) counts[verdict.kind] += 1;
+  return counts;
+}
+
+/** Takes the link, and the settings it came with, off the page and out of the address. The models stay. */
 export function closeLink(): void {
   opened.value = { kind: "none" };
+  takeBack();
   if (isShared(location.hash)) history.replaceState(null, "", `${location.pathname}${location.search}`);
 }

@@ -1,18 +1,23 @@
 // The figures a link claims, each with how far it is borne out here.
 
 import type { JSX } from "preact";
-import { byMethod, meanOf } from "../../../bin/formats/measures.mjs";
+import { computed } from "@preact/signals";
+import { meanOf, ofSeveral } from "../../shared/formats/measures.mjs";
 import { measureColumn } from "../measures/column";
 import { MEASURES } from "../measures/measures";
+import { rulesOf } from "../measures/protocols";
+import { useSummaries } from "../scores/summaries";
 import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import { words } from "../ui/columns";
 import * as format from "../ui/format";
 import { Icon } from "../ui/icon";
 import { Table, type Column } from "../ui/table";
 import { VerdictMark } from "./mark";
-import type { Difference, Figure } from "./judge";
-import { judged, opened, type JudgedClaim } from "./opened";
+import type { JudgedClaim } from "./judge";
+import type { Difference, Figure } from "./kinds/figures";
+import { judged, opened, tallyOf } from "./opened";
 import { entryOf, failed, fitsOf } from "./rebuild";
+import { versionWords } from "./version";
 
 function differenceIn({ verdict }: JudgedClaim, figure: Figure): Difference | undefined {
   return verdict.kind === "differs" ? verdict.differences.find((difference) => difference.figure === figure) : undefined;
@@ -90,8 +95,8 @@ export default function SharedPanel(): JSX.Element {
         className="scores claims"
         caption={
           <>
-            As claimed by a link, {protocol === "published" ? "as the published tables were made" : "by definition"}, with
-            engine {engine}. {format.plural(judged.value.length, "row")}.
+            As claimed by a link, {rulesOf(protocol)}, with {versionWords(engine)}.{" "}
+            {format.plural(judged.value.length, "row")}.
           </>
         }
         columns={COLUMNS}
@@ -125,21 +130,35 @@ function Failures(): JSX.Element | null {
   );
 }
 
+/** A mean stands no better than the rows it is of. */
+function meanStanding(rows: readonly JudgedClaim[]): string {
+  const { verified, recomputed, repeated, differs } = tallyOf(rows);
+  if (repeated > 0) return `${repeated} of ${rows.length} repeat others`;
+  if (differs > 0) return `${differs} of ${rows.length} differ`;
+  if (verified === rows.length) return "of verified rows";
+  if (recomputed === rows.length) return "of recomputed rows";
+  return "as claimed";
+}
+
+/** As the formats of tables take them. */
+const claimed = computed(() => judged.value.map(({ claim: { method, mean, typeErrors } }) => ({ method, mean, type_errors: typeErrors })));
+
 function Means(): JSX.Element {
-  const claims = judged.value.map(({ claim }) => claim);
+  const summaries = useSummaries(claimed.value);
   return (
     <>
-      {byMethod(claims).map(({ method, own }) => (
-        <tr key={method}>
-          <th scope="row">Mean of {own.length}</th>
-          <td>{method}</td>
-          <td colSpan={4} />
+      {ofSeveral(summaries).map((summary) => (
+        <tr key={summary.method}>
+          <th scope="row">Mean of {summary.models}</th>
+          <td>{summary.method}</td>
+          <td>{meanStanding(judged.value.filter(({ claim }) => claim.method === summary.method))}</td>
+          <td colSpan={3} />
           {MEASURES.map((measure) => (
             <td key={measure} class="numeric">
-              {format.measure(measure, meanOf(own, measure))}
+              {format.measure(measure, meanOf(summary, measure))}
             </td>
           ))}
-          <td class="numeric">{own.reduce((sum, { typeErrors }) => sum + typeErrors, 0)}</td>
+          <td class="numeric">{summary.typeErrors}</td>
         </tr>
       ))}
     </>

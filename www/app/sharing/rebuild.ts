@@ -1,36 +1,28 @@
-// Has the models of a link again without their files: samples are made, public models downloaded,
-// fits repeated. One stop ends all of it.
+// Has the models of a link again without their files, each kind of content as its own module says. One
+// stop ends all of it.
 
 import { computed, effect, signal } from "@preact/signals";
-import { downloadModels } from "../public/download";
-import { publicBase } from "../public/source";
-import { SETS, type PublicModel } from "../public/catalogue";
-import { isSameSample } from "../samples/identity";
-import { makeSample } from "../samples/samples";
-import { fitModels, tallyOf, tellTally } from "../state/fitting";
-import { models, type ModelEntry, type Origin } from "../state/models";
+import { PUBLISHED_METHODS } from "../public/catalogue";
+import { models, type ModelEntry } from "../state/models";
 import { notify } from "../state/notices";
-import { capitalised, plural } from "../ui/format";
-import { judged, judging, type JudgedClaim } from "./opened";
-import type { Claim, SharedModel, SharedOrigin, SharedResults } from "./shared";
-
-/** The public repository has results of these for the test set. */
-const PUBLISHED: readonly string[] = ["HT", "PG"];
-
-/** Whether a model can be had again from what the link says of it. */
-export function isRebuildable({ origin }: SharedModel): boolean {
-  return origin.kind === "sample" || (origin.kind === "public" && origin.model !== undefined);
-}
+import type { JudgedClaim } from "./judge";
+import * as fit from "./kinds/fit";
+import * as publicModel from "./kinds/public-model";
+import * as sample from "./kinds/sample";
+import { judged, judging } from "./opened";
+import { named } from "./names";
+import { isRebuildable, UNASKED_LIMIT_SECONDS, type Wanted } from "./plan";
+import type { Claim, SharedModel, SharedResults } from "./shared";
+import { thisPage } from "./this-page";
 
 /** The model on the page that a link speaks of. */
 export function entryOf(shared: SharedModel): ModelEntry | undefined {
-  return models.value.find(({ origin }) => isSame(origin, shared.origin)) ?? models.value.find((entry) => isNamesake(entry, shared));
+  return models.value.find(({ origin }) => isOf(origin, shared)) ?? models.value.find((entry) => isNamesake(entry, shared));
 }
 
-function isSame(here: Origin, shared: SharedOrigin): boolean {
-  if (shared.kind === "sample") return isSameSample(here, shared);
-  if (shared.kind !== "public" || here.kind !== "public") return false;
-  return shared.model?.set === here.model.set && shared.model.number === here.model.number;
+function isOf(here: ModelEntry["origin"], { origin }: SharedModel): boolean {
+  if (origin.kind === "sample") return sample.isOf(here, origin);
+  return origin.kind === "public" && publicModel.isOf(here, origin);
 }
 
 /** By name alone: files that the reader brought. A sample of that name may be another sample of the part. */
@@ -51,14 +43,8 @@ function comesAlong(claim: Claim, model: SharedModel): boolean {
   return !claim.fitted && isRebuildable(model) && (model.origin.kind === "sample" || isPublished(claim));
 }
 
-/** What is to be had again of a link. */
-export interface Wanted {
-  /** Places of models among those of the link. */
-  readonly models: readonly number[];
-  /** The one of them that comes into view. */
-  readonly shown?: number | undefined;
-  /** Claims to be fitted for. */
-  readonly fits: readonly Claim[];
+function isPublished({ method, fitted }: Claim): boolean {
+  return fitted === undefined && (PUBLISHED_METHODS as readonly string[]).includes(method);
 }
 
 /** What of a link nobody has had again yet. */
@@ -66,19 +52,6 @@ export function restOf({ models: shared }: SharedResults): Wanted {
   const open = judged.value.filter(({ verdict }) => verdict.kind === "claimed" || verdict.kind === "other files");
   const fits = open.filter(({ claim, model }) => claim.fitted && isRecomputable(claim, model)).map(({ claim }) => claim);
   return { models: absentAmong(shared, [...shared.keys()]), fits };
-}
-
-/** What having it again takes, in words; nothing where there is nothing to be had. */
-export function workOf({ models: shared }: SharedResults, { models: places, fits }: Wanted): string | undefined {
-  const of = (kind: SharedOrigin["kind"]) => places.filter((place) => shared[place]?.origin.kind === kind).length;
-  const [samples, downloads] = [of("sample"), of("public")];
-  const parts = [
-    samples > 0 && `make ${plural(samples, "sample")}`,
-    downloads > 0 && `download ${plural(downloads, "public model")}`,
-    fits.length > 0 && `repeat ${plural(fits.length, "fit")}`,
-  ].filter((part) => part !== false);
-  const text = parts.join(", ");
-  return text === "" ? undefined : capitalised(text);
 }
 
 function absentAmong(shared: readonly SharedModel[], places: readonly number[]): number[] {
@@ -125,10 +98,10 @@ export const failed = computed<readonly Failure[]>(() => {
   return Array.from(byReason, ([reason, rows]) => ({ reason, rows }));
 });
 
-/** Which fits failed for a reason: `PG of bracket and 2 more`. */
+/** Which fits failed for a reason: `“PG” of “bracket” and 2 more`. */
 export function fitsOf({ rows: [first, ...others] }: Failure): string {
   const more = others.length > 0 ? ` and ${others.length} more` : "";
-  return `${first?.claim.method} of ${first?.model.name}${more}`;
+  return first ? `${named(first.claim.method)} of ${named(first.model.name)}${more}` : "";
 }
 
 /** Ends the making of samples, the download and the fits that a link asked for. What is here stays. */
@@ -136,8 +109,11 @@ export function stopRebuilding(): void {
   rebuilding.peek()?.stop();
 }
 
-/** Has again what is wanted and not here. What fails is told by its own part of the page, and of fits by `failed`, too. */
-export async function rebuild(results: SharedResults, wanted: Wanted): Promise<void> {
+/**
+ * Has again what is wanted and not here. What fails is told by its own part of the page, and of fits by
+ * `failed`, too. What the reader did not ask for ends after `UNASKED_LIMIT_SECONDS` of computing.
+ */
+export async function rebuild(results: SharedResults, wanted: Wanted, { unasked = false } = {}): Promise<void> {
   stopRebuilding();
   const places = absentAmong(results.models, wanted.models);
   if (places.length + wanted.fits.length === 0) return;
@@ -151,13 +127,40 @@ export async function rebuild(results: SharedResults, wanted: Wanted): Promise<v
   rebuilding.value = own;
   // Of another link, or about to be tried again.
   failures.value = new Map([...failures.peek()].filter(([claim]) => results.claims.includes(claim) && !wanted.fits.includes(claim)));
+  const clock = new Clock(unasked ? UNASKED_LIMIT_SECONDS : Infinity, () => {
+    controller.abort();
+    notify(`What the link asks for took longer than ${UNASKED_LIMIT_SECONDS} s and was stopped. It goes on when you ask for it.`);
+  });
   try {
-    await makeAgain(results, places, wanted.shown, stopped);
-    await fetchAgain(results, places, controller);
-    await fitAgain(results, wanted.fits, stopped);
+    await clock.during(makeAgain(results, places, wanted.shown, stopped));
+    if (!(await fetchAgain(results, places, stopped))) controller.abort();
+    await clock.during(fitAgain(results, wanted.fits, stopped));
     if (!stopped.aborted) await judgedOf(own.awaited, stopped);
   } finally {
     if (rebuilding.value === own) rebuilding.value = undefined;
+  }
+}
+
+/** Counts the time of some works, and acts once it is over. */
+class Clock {
+  #left: number;
+  readonly #over: () => void;
+
+  constructor(seconds: number, over: () => void) {
+    this.#left = 1000 * seconds;
+    this.#over = over;
+  }
+
+  async during(work: Promise<void>): Promise<void> {
+    if (this.#left === Infinity) return work;
+    const begun = performance.now();
+    const timer = setTimeout(this.#over, this.#left);
+    try {
+      await work;
+    } finally {
+      clearTimeout(timer);
+      this.#left = Math.max(0, this.#left - (performance.now() - begun));
+    }
   }
 }
 
@@ -182,52 +185,30 @@ async function makeAgain({ models: shared }: SharedResults, places: readonly num
   for (const place of inOrder) {
     if (stopped.aborted) return;
     const origin = shared[place]?.origin;
-    if (origin?.kind === "sample") await makeSample(origin.part, origin.options, place === shown ? "shown" : "quiet", stopped);
+    if (origin?.kind === "sample") await sample.rebuild(origin, place === shown ? "shown" : "quiet", thisPage, stopped);
   }
 }
 
-async function fetchAgain({ models: shared, claims }: SharedResults, places: readonly number[], controller: AbortController): Promise<void> {
-  const base = publicBase();
-  if (base.kind === "refused") return;
-  for (const { name: set } of SETS) {
-    for (const withResults of [false, true]) {
-      const numbers = places.flatMap((place) => {
-        const model = publicModelOf(shared[place]);
-        const published = claims.some((claim) => claim.model === place && isPublished(claim));
-        return model?.set === set && published === withResults ? [model.number] : [];
-      });
-      if (numbers.length === 0 || controller.signal.aborted) continue;
-      const ending = await downloadModels(base.address, { set, numbers, withResults }, controller.signal);
-      // Whoever stops the download does not want the rest either.
-      if (ending === "stopped") controller.abort();
-    }
-  }
+/** Whoever stops the download does not want the rest either: then it is false. */
+function fetchAgain({ models: shared, claims }: SharedResults, places: readonly number[], stopped: AbortSignal): Promise<boolean> {
+  const asked = places.flatMap((place) => {
+    const origin = shared[place]?.origin;
+    if (origin?.kind !== "public" || !origin.model) return [];
+    return [{ model: origin.model, withResults: claims.some((claim) => claim.model === place && isPublished(claim)) }];
+  });
+  return publicModel.rebuild(asked, thisPage, stopped);
 }
 
-function publicModelOf(model: SharedModel | undefined): PublicModel | undefined {
-  return model?.origin.kind === "public" ? model.origin.model : undefined;
-}
-
-function isPublished({ method, fitted }: Claim): boolean {
-  return fitted === undefined && PUBLISHED.includes(method);
-}
-
-/** Fits of one model are in the order of the claims, in which they got their names. */
 async function fitAgain({ models: shared }: SharedResults, claims: readonly Claim[], stopped: AbortSignal): Promise<void> {
   const wanted = claims.flatMap((claim) => {
     const model = shared[claim.model];
     const entry = model && entryOf(model);
     return entry && claim.fitted ? [{ claim, job: { model: entry.id, request: claim.fitted } }] : [];
   });
-  if (wanted.length === 0 || stopped.aborted) return;
-  const run = await fitModels(wanted.map(({ job }) => job), { signal: stopped, quiet: true });
-  if (!run) return notify("The fits of the link were not repeated: another fit is under way.");
-  const reasons = wanted.flatMap(({ claim }, at) => {
-    const state = run.fits[at]?.state.peek();
-    return state?.kind === "failed" ? [[claim, state.message] as const] : [];
+  const reasons = await fit.rebuild(wanted.map(({ job }) => job), thisPage, stopped);
+  const told = wanted.flatMap(({ claim }, at) => {
+    const reason = reasons?.[at];
+    return reason === undefined ? [] : [[claim, reason] as const];
   });
-  failures.value = new Map([...failures.peek(), ...reasons]);
-  const tally = tallyOf(run);
-  const count = plural(wanted.length, "fit");
-  tellTally(`${tally.done === wanted.length ? count : `${tally.done} of ${count}`} of the link repeated here`, tally);
+  failures.value = new Map([...failures.peek(), ...told]);
 }

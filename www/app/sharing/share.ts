@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals";
 import { opened } from "./opened";
-import { isShared } from "./fragment";
+import { isShared } from "../state/fragment";
 
 /** Whether the sheet is shown. */
 export const sharing = signal(false);

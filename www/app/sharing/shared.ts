@@ -2,7 +2,7 @@
 
 import type { FitRequest } from "../../worker/protocol";
 import type { Measure, Protocol, SampleOptions } from "../engine/contract";
-import type { PublicModel } from "../public/catalogue";
+import type { PublicModel } from "../state/origin";
 import type { Side } from "../state/selection";
 import type { CameraState } from "../view/types";
 
@@ -43,8 +43,8 @@ export interface Claim {
   readonly submission?: Fingerprint;
   /** How it was fitted, where the page did that: the same cloud gives the same submission again. */
   readonly fitted?: FitRequest;
-  /** All digits: a claim can be compared bit by bit. */
-  readonly mean: Readonly<Record<Measure, number | null>>;
+  /** All digits: a claim can be compared bit by bit. Measures that the link's version does not know are absent. */
+  readonly mean: Readonly<Partial<Record<Measure, number | null>>>;
 }
 
 /** What the sharer was looking at. */

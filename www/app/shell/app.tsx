@@ -1,19 +1,21 @@
 // The frame around every page.
 
 import type { JSX } from "preact";
+import { AboutDialog } from "../about/dialog";
 import { ExplainPopover } from "../measures/explain";
 import { AddDialog } from "../intake/add-dialog";
 import { DropZone } from "../intake/dropzone";
-import { KEYS } from "../keyboard/keys";
 import { KeySheet } from "../keyboard/sheet";
+import { PictureDialog } from "../picture/dialog";
 import { ProtocolDialog } from "../measures/protocol-dialog";
 import { SharedBanner } from "../sharing/banner";
 import { ShareDialog } from "../sharing/dialog";
+import { HOME, page } from "../state/router";
 import { Lazy } from "../ui/lazy";
+import { PageLink } from "../navigation/page-link";
 import { Header } from "./header";
-import { PAGES } from "./registry";
-import { PageLink } from "./page-link";
-import { HOME, page } from "./router";
+import { KEYS } from "./keys";
+import { PAGES } from "./registry/pages";
 import { StatusBar } from "./statusbar";
 
 export function App(): JSX.Element {
@@ -47,7 +49,9 @@ export function App(): JSX.Element {
       <AddDialog />
       <ShareDialog />
       <ProtocolDialog />
+      <PictureDialog />
       <KeySheet groups={KEYS} />
+      <AboutDialog />
       <ExplainPopover />
     </>
   );

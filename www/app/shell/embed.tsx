@@ -4,6 +4,7 @@
 import type { JSX } from "preact";
 import { taking } from "../intake/intake";
 import { ExplainPopover } from "../measures/explain";
+import { PictureDialog } from "../picture/dialog";
 import { dataAsked } from "../public/address";
 import { shortfall } from "../public/download";
 import { DownloadProgress } from "../public/progress";
@@ -48,6 +49,7 @@ export default function Embed(): JSX.Element {
         )}
       </main>
       <ExplainPopover />
+      <PictureDialog />
     </div>
   );
 }

@@ -1,15 +1,16 @@
 // Name, pages, and the switches that hold everywhere.
 
 import type { JSX } from "preact";
+import { aboutShown } from "../about/dialog";
 import { adding } from "../intake/add-dialog";
 import { keysShown } from "../keyboard/sheet";
 import { ProtocolSwitch } from "../measures/protocol-switch";
 import { sharing } from "../sharing/share";
-import { theme, type Theme } from "../state/settings";
+import { page } from "../state/router";
+import { nextTheme, theme, type Theme } from "../state/settings";
 import { Icon, type IconName } from "../ui/icon";
-import { PageLink } from "./page-link";
-import { PAGES } from "./registry";
-import { page } from "./router";
+import { PageLink } from "../navigation/page-link";
+import { PAGES } from "./registry/pages";
 
 export function Header(): JSX.Element {
   return (
@@ -42,6 +43,9 @@ export function Header(): JSX.Element {
         >
           <Icon name="help" />
         </button>
+        <button type="button" class="icon roomy" aria-label="About" title="About" onClick={() => (aboutShown.value = true)}>
+          <Icon name="note" />
+        </button>
       </div>
     </header>
   );
@@ -65,10 +69,10 @@ function Tool({ icon, title, shortcut, primary = false, onClick }: ToolProps): J
   );
 }
 
-const THEMES: Readonly<Record<Theme, { next: Theme; icon: IconName; label: string }>> = {
-  system: { next: "light", icon: "half", label: "as the system has it" },
-  light: { next: "dark", icon: "sun", label: "light" },
-  dark: { next: "system", icon: "moon", label: "dark" },
+const THEMES: Readonly<Record<Theme, { icon: IconName; label: string }>> = {
+  system: { icon: "half", label: "as the system has it" },
+  light: { icon: "sun", label: "light" },
+  dark: { icon: "moon", label: "dark" },
 };
 
 function ThemeButton(): JSX.Element {
@@ -84,8 +88,4 @@ function ThemeButton(): JSX.Element {
       <Icon name={icon} />
     </button>
   );
-}
-
-export function nextTheme(): void {
-  theme.value = THEMES[theme.value].next;
 }

@@ -5,7 +5,8 @@ import { openData } from "../public/address";
 import { openFirstSample } from "../samples/samples";
 import { openAddress } from "../sharing/share";
 import { models } from "../state/models";
-import { page, type PageDefinition } from "./router";
+import { page } from "../state/router";
+import type { PageDefinition } from "./registry/pages";
 
 /** Opens what the address names. A lesson needs no models: there it waits until a page is shown that does. */
 export function openFirst(pages: readonly PageDefinition[]): void {

@@ -1,20 +1,10 @@
 // The panels under the views, one at a time, as tabs.
 
 import type { JSX } from "preact";
-import { signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { shownPanel, tabOf } from "../state/panels";
 import { Lazy } from "../ui/lazy";
-import { PANELS } from "./registry";
-
-export const shownPanel = signal("measures");
-
-/** Shows a panel and goes there, also where it is below the edge of a small window. */
-export function goToPanel(id: string): void {
-  shownPanel.value = id;
-  const tab = document.getElementById(`tab-${id}`);
-  tab?.focus({ preventScroll: true });
-  tab?.scrollIntoView({ block: "start", inline: "nearest" });
-}
+import { PANELS } from "./registry/panels";
 
 export function Panels(): JSX.Element {
   const tabs = useRef<HTMLDivElement>(null);
@@ -39,7 +29,7 @@ export function Panels(): JSX.Element {
     const next = offered[(to + offered.length) % offered.length];
     if (!next) return;
     shownPanel.value = next.id;
-    tabs.current?.querySelector<HTMLElement>(`#tab-${next.id}`)?.focus();
+    tabs.current?.querySelector<HTMLElement>(`#${tabOf(next.id)}`)?.focus();
   };
 
   return (
@@ -50,7 +40,7 @@ export function Panels(): JSX.Element {
             key={id}
             type="button"
             role="tab"
-            id={`tab-${id}`}
+            id={tabOf(id)}
             aria-selected={id === shown?.id}
             aria-controls="panel"
             tabIndex={id === shown?.id ? 0 : -1}
@@ -62,7 +52,7 @@ export function Panels(): JSX.Element {
         ))}
       </div>
       {shown && (
-        <div class="panel" role="tabpanel" id="panel" aria-labelledby={`tab-${shown.id}`} tabIndex={0}>
+        <div class="panel" role="tabpanel" id="panel" aria-labelledby={tabOf(shown.id)} tabIndex={0}>
           <Lazy key={shown.id} load={shown.load} title={shown.title} />
         </div>
       )}

@@ -4,7 +4,7 @@ import type { Report } from "../engine/contract";
 import type { ModelScene, SegmentationScene } from "../../worker/protocol";
 import { placeOfMatch, truthOfMatch } from "../state/matches";
 import type { PrimitiveRef, Side } from "../state/selection";
-import { bytes, MISCLASSIFIED, OUTCOME_COLOURS, segmentColour, UNSEGMENTED } from "../view/palette";
+import { bytes, MISCLASSIFIED, OUTCOME_COLOURS, segmentColour, typeColour, UNSEGMENTED } from "../view/palette";
 
 export const COLOUR_MODES = [
   { id: "segments", title: "Segments" },
@@ -34,22 +34,19 @@ export interface Shown {
   readonly scene: ModelScene;
   readonly reports: Reports;
   readonly selected: PrimitiveRef | undefined;
+  /** What the engine makes of each submission's points, where it has been asked and has answered. */
+  readonly outcomes?: Outcomes;
 }
 
-export const TYPE_COLOURS: Readonly<Record<string, string>> = {
-  Plane: segmentColour(0),
-  Cylinder: segmentColour(1),
-  Cone: segmentColour(2),
-  Sphere: segmentColour(3),
-  Torus: segmentColour(5),
-};
+/** Labels of points by what a submission makes of them, in the modes that show that. */
+export type Outcomes = Readonly<Partial<Record<"prediction" | "rival", Uint32Array>>>;
 
 export function segmentationOf({ truth, prediction, rival }: ModelScene, side: Side): SegmentationScene | undefined {
   return { truth, prediction, rival: rival?.segmentation }[side];
 }
 
 /** The submission that a side is about: the truth stands beside the selected one. */
-function submissionOf(side: Side): "prediction" | "rival" {
+export function submissionOf(side: Side): "prediction" | "rival" {
   return side === "rival" ? "rival" : "prediction";
 }
 
@@ -66,7 +63,7 @@ export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling
   const order = drawingOrder(side, shown.reports, segmentation);
   const labels = labelsOf(segmentation, points, order);
   if (mode === "type") {
-    const colours = segmentation.primitives.map(({ type }) => TYPE_COLOURS[type ?? ""] ?? UNSEGMENTED);
+    const colours = segmentation.primitives.map(({ type }) => typeColour(type));
     return { labels, colours: [UNSEGMENTED, ...colours] };
   }
   const colours = segmentColours(side, shown.reports, segmentation.primitives.length);
@@ -109,40 +106,23 @@ export function segmentColours(side: Side, reports: Reports, count: number): str
   return [UNSEGMENTED, ...(side === "truth" ? own : predictionColours(reports[side], count))];
 }
 
-/** Rightly found points in the colour of their true primitive, all others that the submission lists in black. */
-function figure(side: "prediction" | "rival", { scene, reports }: Shown, points: number): Labelling {
-  const found = segmentationOf(scene, side);
-  const { truth } = scene;
-  const report = reports[side];
-  const labels = new Uint32Array(points);
-  if (!truth || !found || !report) return { labels, colours: [UNSEGMENTED] };
-  const wrong = truth.primitives.length + 1;
-  for (const index of found.indices) labels[index] = wrong;
-  for (let place = truth.primitives.length - 1; place >= 0; place--) {
-    const match = placeOfMatch(report, place);
-    if (match === undefined) continue;
-    const matched = new Set(members(found, match));
-    for (const index of members(truth, place)) if (matched.has(index)) labels[index] = place + 1;
-  }
-  return { labels, colours: [UNSEGMENTED, ...truth.primitives.map((_, place) => segmentColour(place)), MISCLASSIFIED] };
+/** The engine's labels of a submission; nothing predicted until it has answered, for this model. */
+function outcomesOf(side: Side, { outcomes }: Shown, points: number): Uint32Array {
+  const known = outcomes?.[submissionOf(side)];
+  return known?.length === points ? known : new Uint32Array(points);
 }
 
-/** True positives, false positives and false negatives of the selected primitive and its match. */
-function outcome(side: Side, { scene, reports, selected }: Shown, points: number): Labelling {
-  const labels = new Uint32Array(points);
+/** Rightly found points in the colour of their true primitive, all others that the submission lists in black. */
+function figure(side: Side, shown: Shown, points: number): Labelling {
+  const truth = shown.scene.truth?.primitives ?? [];
+  const colours = [UNSEGMENTED, ...truth.map((_, place) => segmentColour(place)), MISCLASSIFIED];
+  return { labels: outcomesOf(side, shown, points), colours };
+}
+
+/** True positives, false positives and false negatives of the selected primitive and its match, in the engine's order. */
+function outcome(side: Side, shown: Shown, points: number): Labelling {
   const { truePositive, falsePositive, falseNegative } = OUTCOME_COLOURS;
-  const colours = [UNSEGMENTED, truePositive, falsePositive, falseNegative];
-  const submission = submissionOf(side);
-  if (!selected || !reports[submission]) return { labels, colours };
-  const partners = partnersOf(reports, selected);
-  const membersOn = (of: Side) => {
-    const [segmentation, place] = [segmentationOf(scene, of), partners[of]];
-    return segmentation && place !== undefined ? members(segmentation, place) : [];
-  };
-  const expected = new Set(membersOn("truth"));
-  for (const index of expected) labels[index] = 3;
-  for (const index of membersOn(submission)) labels[index] = expected.has(index) ? 1 : 2;
-  return { labels, colours };
+  return { labels: outcomesOf(side, shown, points), colours: [UNSEGMENTED, truePositive, falsePositive, falseNegative] };
 }
 
 /** The places of the true primitive and of its matches that a primitive of any side is about. */
@@ -173,18 +153,10 @@ function distances(scene: ModelScene, { offsets, indices, distances: own }: Segm
   return { values, low: 0, high: largestDistance(scene) };
 }
 
-const largest = new WeakMap<ModelScene, number>();
-
-/** Largest distance of a point to its surface, on any side. */
-export function largestDistance(scene: ModelScene): number {
-  const known = largest.get(scene);
-  if (known !== undefined) return known;
-  let found = 0;
-  for (const segmentation of [scene.truth, scene.prediction, scene.rival?.segmentation]) {
-    for (const distance of segmentation?.distances ?? []) if (distance > found) found = distance;
-  }
-  largest.set(scene, found || 1);
-  return found || 1;
+/** The end of the scale of distances: the largest of a point to its surface, on any side. */
+export function largestDistance({ truth, prediction, rival }: ModelScene): number {
+  const sides = [truth, prediction, rival?.segmentation];
+  return Math.max(...sides.map((side) => side?.farthest ?? 0)) || 1;
 }
 
 export function table({ colours }: Labelling): Uint8Array {

@@ -5,6 +5,7 @@ import { selectedPrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
 import { labelling, labelsOf, partnersOf, segmentationOf } from "./colouring";
 import { colourMode, sides } from "./display";
+import { outcomes } from "./outcomes";
 import { reports } from "./reports";
 
 /** Frames a primitive, or its partner where it is not in view itself; false where there is neither. */
@@ -22,7 +23,7 @@ export function frame(view: PointView, ref: PrimitiveRef): boolean {
   // The labels of some colourings tell outcomes, and a point that several primitives list has that of one of them.
   view.setLabels(side, labelsOf(segmentation, state.scene.positions.length / 3, [place]));
   view.fitLabels(side, [place + 1]);
-  const now = { scene: state.scene, reports: reports.peek(), selected: selectedPrimitive.peek() };
+  const now = { scene: state.scene, reports: reports.peek(), selected: selectedPrimitive.peek(), outcomes: outcomes.peek() };
   view.setLabels(side, labelling(colourMode.peek(), name, now).labels);
   return true;
 }

@@ -1,25 +1,19 @@
 // Looking at the selected primitive alone, and putting primitives out of sight.
 
-import { effect, signal } from "@preact/signals";
-import type { PointView } from "../view/point-view";
-import { frame } from "./framing";
+import { computed, signal } from "@preact/signals";
 import { rivalMethod, selectedMethod, selectedModel, selectedPrimitive, type PrimitiveRef } from "../state/selection";
-
-/** The view on the page, once it is there. */
-export const currentView = signal<PointView | undefined>(undefined);
+import { currentView } from "./current";
+import { frame } from "./framing";
 
 /** Whether everything but the selected primitive and its partner is out of sight. */
 export const isolated = signal(false);
-/** Primitives put out of sight, with their partners. */
-export const hidden = signal<readonly PrimitiveRef[]>([]);
 
-effect(() => {
-  // Places mean something else in another model or submission.
-  void selectedModel.value;
-  void selectedMethod.value;
-  void rivalMethod.value;
-  hidden.value = [];
-});
+/** Where the places of primitives mean what they do: they mean something else in another model or submission. */
+const where = computed(() => JSON.stringify([selectedModel.value, selectedMethod.value, rivalMethod.value]));
+const putAside = signal<{ readonly where: string; readonly refs: readonly PrimitiveRef[] }>({ where: "", refs: [] });
+
+/** Primitives put out of sight, with their partners. */
+export const hidden = computed(() => (putAside.value.where === where.value ? putAside.value.refs : []));
 
 export function toggleIsolated(): void {
   if (selectedPrimitive.value) isolated.value = !isolated.value;
@@ -28,12 +22,12 @@ export function toggleIsolated(): void {
 export function hideSelected(): void {
   const ref = selectedPrimitive.value;
   if (!ref) return;
-  hidden.value = [...hidden.value, ref];
+  putAside.value = { where: where.value, refs: [...hidden.value, ref] };
   selectedPrimitive.value = undefined;
 }
 
 export function showAll(): void {
-  hidden.value = [];
+  putAside.value = { where: "", refs: [] };
   isolated.value = false;
 }
 

@@ -1,9 +1,10 @@
 // What the colours mean, in words: for the legend beside the points and for saved pictures.
 
+import { SURFACE_TYPES } from "../../generated/declared/surface-types.js";
 import type { ModelScene } from "../../worker/protocol";
 import type { Side } from "../state/selection";
-import { MISCLASSIFIED, OUTCOME_COLOURS, UNSEGMENTED } from "../view/palette";
-import { segmentationOf, segmentColours, TYPE_COLOURS, type ColourMode, type Shown } from "./colouring";
+import { MISCLASSIFIED, OUTCOME_COLOURS, typeColour, UNSEGMENTED } from "../view/palette";
+import { segmentationOf, segmentColours, type ColourMode, type Shown } from "./colouring";
 
 export interface KeyEntry {
   readonly colour: string;
@@ -38,7 +39,7 @@ export function fixedKey(mode: ColourMode): readonly KeyEntry[] {
     case "normal":
       return NORMAL;
     case "type":
-      return Object.entries(TYPE_COLOURS).map(([text, colour]) => ({ text, colour }));
+      return SURFACE_TYPES.map(({ name }) => ({ colour: typeColour(name), text: name }));
     case "segments":
     case "distance":
       return [];

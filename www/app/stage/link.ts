@@ -10,6 +10,7 @@ import { LabelState, type Side } from "../view/types";
 import { labelling, partnersOf, segmentationOf, table, type Labelling, type Shown } from "./colouring";
 import { isSameCloud } from "./cloud";
 import { hidden, isolated } from "./isolation";
+import { linkOutcomes, outcomes } from "./outcomes";
 import { linkSurfaces } from "./surfaces";
 import { awaitedCamera, restingCamera } from "./camera";
 import { colourMode, eyeDome, pointSize, projection, sides, unsegmentedShown } from "./display";
@@ -57,9 +58,8 @@ export function link(view: PointView): () => void {
       for (const side of SIDES) view.setStates(side, states(sides.value[side], shown));
     }),
   ];
-  const unlinkSurfaces = linkSurfaces(view);
+  ends.push(linkOutcomes(), linkSurfaces(view));
   return () => {
-    unlinkSurfaces();
     for (const end of ends) end();
   };
 }
@@ -69,7 +69,7 @@ function shownNow(): Shown | undefined {
   if (state.kind !== "ready") return undefined;
   // Only one colouring depends on the selection; the others need not be made anew for it.
   const selected = colourMode.value === "outcome" ? selectedPrimitive.value : undefined;
-  return { scene: state.scene, reports: reports.value, selected };
+  return { scene: state.scene, reports: reports.value, selected, outcomes: outcomes.value };
 }
 
 function colour(view: PointView, side: Side, what: Labelling): void {

@@ -2,15 +2,14 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
-import { PictureDialog } from "../picture/dialog";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
 import type { Hit, ViewUnavailable } from "../view/types";
 import { ViewCanvas } from "../view/view-canvas";
+import { currentView } from "./current";
 import { layout, wipeAt } from "./display";
 import { frame } from "./framing";
-import { currentView } from "./isolation";
 import { Legend } from "./legend";
 import { link } from "./link";
 import { SelectionTools } from "./selection-tools";
@@ -43,7 +42,6 @@ export function Picture(): JSX.Element {
         {pointed.value && <Tooltip {...pointed.value} />}
         <State />
       </div>
-      <PictureDialog />
     </div>
   );
 }

@@ -8,6 +8,7 @@ import { engine } from "../engine/client";
 import { modelById } from "../state/models";
 import { scene } from "../state/scene";
 import { selectedModel, selectedPrimitive } from "../state/selection";
+import { rgb, type Rgb } from "../view/palette";
 import type { PointView } from "../view/point-view";
 import type { Side, SurfacePatch } from "../view/types";
 import { isSameCloud } from "./cloud";
@@ -55,7 +56,7 @@ interface Wanted {
   readonly method: string | undefined;
   readonly side: Side;
   readonly place: number;
-  readonly colour: string;
+  readonly colour: Rgb;
 }
 
 function wantedPatches(): Wanted[] {
@@ -70,7 +71,7 @@ function wantedPatches(): Wanted[] {
     const [place, of] = [partners[shown], segmentationOf(state.scene, shown)];
     const colour = place === undefined ? undefined : segmentColours(shown, reports.value, of?.primitives.length ?? 0)[place + 1];
     if (place === undefined || colour === undefined || !of?.primitives[place]?.surface) return [];
-    return [{ source, method: methods[shown], side: side as Side, place, colour }];
+    return [{ source, method: methods[shown], side: side as Side, place, colour: rgb(colour) }];
   });
 }
 

@@ -4,10 +4,10 @@ import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
 import { LookFrom } from "../view/look-from";
-import { picturing } from "../picture/dialog";
 import { scene } from "../state/scene";
 import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
+import { picturing } from "./current";
 import {
   arrangement,
   ARRANGEMENTS,

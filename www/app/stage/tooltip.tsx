@@ -59,9 +59,15 @@ export function Tooltip({ hit, x, y }: Pointed): JSX.Element {
       ) : (
         <strong>Unsegmented</strong>
       )}
-      <span>point {hit.index + 1}</span>
+      <span>point {shownNumber(hit.index)}</span>
     </div>
   );
+}
+
+/** The number that files give a point. */
+function shownNumber(index: number): number {
+  const state = scene.value;
+  return (state.kind === "ready" ? state.scene.numbers?.[index] : undefined) ?? index + 1;
 }
 
 function significant(value: number): string {

@@ -1,13 +1,16 @@
-// Fitting models with HT or PG: one job of the pool per model, each stoppable at any moment.
+// Fitting models: one job of the pool per model, each stoppable at any moment.
 
 import { proxy } from "comlink";
 import { batch, computed, signal, type Signal } from "@preact/signals";
+import { FITTERS } from "../../generated/declared/fitters.js";
+import { STAGES } from "../../generated/declared/stages.js";
 import { engine } from "../engine/client";
 import type { FitRequest, FittedModel } from "../../worker/protocol";
 import { plural } from "../ui/format";
 import { without } from "./content";
-import { addSubmission, isMadeHere } from "./inbox";
-import { models } from "./models";
+import { addSubmission } from "./contents";
+import { isMadeHere } from "./made";
+import { modelById } from "./models";
 import { notify } from "./notices";
 import { selectedModel, selectModel } from "./selection";
 
@@ -56,20 +59,16 @@ export interface FitOptions {
 
 /** What a run fits with: `HT`, `PG`, or `HT and PG` where it repeats what a link claims. */
 export function methodsOf({ fits }: FitRun): string {
-  return [...new Set(fits.map(({ request }) => request.method.toUpperCase()))].join(" and ");
+  return [...new Set(fits.map(({ request }) => titleOf(request.method)))].join(" and ");
+}
+
+/** What submissions by a fitter are called. */
+export function titleOf(method: FitRequest["method"]): string {
+  return FITTERS.find(({ name }) => name === method)?.title ?? method;
 }
 
 /** The run under way, or the last one. */
 export const fitRun = signal<FitRun | undefined>(undefined);
-
-/** What share of a fit's time each stage takes, roughly: finding surfaces is nearly all of it. */
-const STAGES: readonly { readonly name: string; readonly share: number }[] = [
-  { name: "prepare", share: 0.1 },
-  { name: "find", share: 0.75 },
-  { name: "prune", share: 0.05 },
-  { name: "label", share: 0.05 },
-  { name: "patches", share: 0.05 },
-];
 
 /** How much of a fit is done, 0 to 1. */
 export function shareDone(state: FitState): number {
@@ -153,7 +152,7 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
   });
   const urgency = id === selectedModel.peek() ? "foreground" : "idle";
   try {
-    const known = models.peek().find((entry) => entry.id === id)?.source;
+    const known = modelById(id)?.source;
     if (!known) throw new Error(`${id} is no longer on the page.`);
     const source = replaced === undefined ? known : without(known, replaced);
     const result = await engine.run((api) => api.fit(source, request, onStage), { signal, urgency });

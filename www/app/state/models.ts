@@ -1,15 +1,8 @@
 // The models on the page: which files they are made of and what scoring them gave.
 
 import { computed, signal } from "@preact/signals";
-import type { SampleOptions } from "../engine/contract";
-import type { PublicModel } from "../public/catalogue";
-import type { MethodReports, ModelSource, ScoredModel } from "../../worker/protocol";
-
-/** Where a model came from; a sample can be made again, a public model fetched again, from this alone. */
-export type Origin =
-  | { readonly kind: "files" }
-  | { readonly kind: "public"; readonly model: PublicModel }
-  | { readonly kind: "sample"; readonly part: string; readonly options: SampleOptions };
+import type { MethodReports, ScoredModel } from "../../worker/protocol";
+import { contents, type Content } from "./contents";
 
 export type Status =
   | { readonly kind: "waiting" }
@@ -17,20 +10,40 @@ export type Status =
   | { readonly kind: "stopped" }
   | { readonly kind: "failed"; readonly message: string };
 
-export interface ModelEntry {
-  /** Unique on the page; the model's name. */
-  readonly id: string;
-  readonly number: number | undefined;
-  readonly origin: Origin;
-  readonly source: ModelSource;
+export interface ModelEntry extends Content {
   readonly status: Status;
 }
 
-/** In the engine's order: by number, then by name. Never in order of arrival. */
-export const models = signal<readonly ModelEntry[]>([]);
+/** By the key of the content it is about. */
+const statuses = signal<ReadonlyMap<string, Status>>(new Map());
+
+const WAITING: Status = { kind: "waiting" };
+
+const entries = new WeakMap<Content, ModelEntry>();
+
+export const models = computed<readonly ModelEntry[]>(() =>
+  contents.value.map((content) => {
+    const status = statuses.value.get(content.source.key) ?? WAITING;
+    let entry = entries.get(content);
+    if (entry?.status !== status) {
+      entry = { ...content, status };
+      entries.set(content, entry);
+    }
+    return entry;
+  }),
+);
+
+const byId = computed(() => new Map(models.value.map((entry) => [entry.id, entry])));
 
 export function modelById(id: string | undefined): ModelEntry | undefined {
-  return models.value.find((entry) => entry.id === id);
+  return id === undefined ? undefined : byId.value.get(id);
+}
+
+/** Whether the engine fitted the surfaces of a method, or of the truth, to segments that came without. */
+export function isFitted({ status }: ModelEntry, method: string | undefined): boolean {
+  if (status.kind !== "scored") return false;
+  const { fitted, truthFitted } = status.result.info;
+  return method === undefined ? truthFitted : fitted.includes(method);
 }
 
 /** One scored method of one model: a row of the summary. */
@@ -40,34 +53,33 @@ export interface ScoredRow {
   readonly reports: MethodReports;
 }
 
+const rowsOf = new WeakMap<ModelEntry, readonly ScoredRow[]>();
+
 export const scoredRows = computed<readonly ScoredRow[]>(() =>
-  models.value.flatMap((entry) =>
-    entry.status.kind === "scored"
-      ? entry.status.result.reports.map((reports) => ({ key: `${entry.id} ${reports.method}`, entry, reports }))
-      : [],
-  ),
+  models.value.flatMap((entry) => {
+    let rows = rowsOf.get(entry);
+    if (!rows) {
+      const { status, id } = entry;
+      rows = status.kind === "scored" ? status.result.reports.map((reports) => ({ key: `${id} ${reports.method}`, entry, reports })) : [];
+      rowsOf.set(entry, rows);
+    }
+    return rows;
+  }),
 );
 
 export const methods = computed<readonly string[]>(() => [
   ...new Set(scoredRows.value.map(({ reports }) => reports.method)),
 ]);
 
-let pending = new Map<string, { key: string; status: Status }>();
-
-/**
- * Notes a model's new status. Many results may come in a burst, so they reach the page together,
- * at most once per frame; one that belongs to files replaced meanwhile is dropped.
- */
-export function setStatus(id: string, key: string, status: Status): void {
-  if (pending.size === 0) setTimeout(flush, 16);
-  pending.set(id, { key, status });
+/** Notes new statuses, by the keys of contents. Those of contents that are gone are forgotten. */
+export function setStatuses(news: Iterable<readonly [key: string, status: Status]>): void {
+  const all = new Map([...statuses.value, ...news]);
+  const present = new Set(contents.value.map(({ source }) => source.key));
+  for (const key of all.keys()) if (!present.has(key)) all.delete(key);
+  statuses.value = all;
 }
 
-function flush(): void {
-  const updates = pending;
-  pending = new Map();
-  models.value = models.value.map((entry) => {
-    const update = updates.get(entry.id);
-    return update && update.key === entry.source.key ? { ...entry, status: update.status } : entry;
-  });
+/** What was stopped waits again. */
+export function awaken(): void {
+  statuses.value = new Map([...statuses.value].filter(([, { kind }]) => kind !== "stopped"));
 }

@@ -16,7 +16,12 @@ export const scene = signal<SceneState>({ kind: "none" });
 
 let controller = new AbortController();
 
-effect(() => {
+/** Opens what is selected, now and later, until the result is called. */
+export function openSelected(): () => void {
+  return effect(reopen);
+}
+
+function reopen(): void {
   const entry = modelById(selectedModel.value);
   const method = selectedMethod.value;
   const rival = rivalMethod.value;
@@ -45,4 +50,4 @@ effect(() => {
       scene.value = { kind: "failed", message: error instanceof Error ? error.message : String(error) };
     }
   }
-});
+}

@@ -1,9 +1,10 @@
 // Scoring many models: spread over the pool, with progress, and stoppable at any moment.
 
-import { batch, signal } from "@preact/signals";
+import { batch, effect, signal, untracked } from "@preact/signals";
 import { engine } from "../engine/client";
+import { paced } from "../engine/pace";
 import { selectedModel } from "./selection";
-import { models, setStatus, type ModelEntry } from "./models";
+import { awaken, modelById, models, setStatuses, type ModelEntry, type Status } from "./models";
 
 export interface Progress {
   readonly done: number;
@@ -16,18 +17,24 @@ export interface Progress {
 export const progress = signal<Progress | undefined>(undefined);
 
 let controller = new AbortController();
-/** Models queued or being scored, by the key of their files. */
+/** Contents that are queued, being scored, or scored and not shown yet, by their keys. */
 const underWay = new Set<string>();
+/** Results that have come since the page was last told. */
+let arrived: (readonly [key: string, status: Status])[] = [];
 
-/** Scores the models not yet under way; what the reader is looking at comes first. */
-export function scoreAll(entries: readonly ModelEntry[]): void {
-  const fresh = entries.filter(({ source }) => !underWay.has(source.key));
-  if (fresh.length === 0) return;
-  const current = progress.value;
-  progress.value = current
-    ? { ...current, total: current.total + fresh.length }
-    : { done: 0, total: fresh.length, since: performance.now() };
-  for (const entry of fresh) void score(entry, controller.signal);
+/** Scores every model that waits for it, now and later, until the result is called. What the reader looks at comes first. */
+export function scoreWaiting(): () => void {
+  const ends = [
+    effect(() => {
+      const waiting = models.value.filter(({ status, source }) => status.kind === "waiting" && !underWay.has(source.key));
+      if (waiting.length > 0) untracked(() => begin(waiting));
+    }),
+    effect(() => {
+      const entry = modelById(selectedModel.value);
+      if (entry?.status.kind === "waiting") engine.hasten(entry.source.key);
+    }),
+  ];
+  return () => ends.forEach((end) => end());
 }
 
 /** Stops everything under way. What is scored stays. */
@@ -38,28 +45,41 @@ export function cancelScoring(): void {
 
 /** Scores what had been stopped. */
 export function resumeScoring(): void {
-  models.value = models.value.map((entry) =>
-    entry.status.kind === "stopped" ? { ...entry, status: { kind: "waiting" } } : entry,
-  );
-  scoreAll(models.value.filter(({ status }) => status.kind === "waiting"));
+  awaken();
 }
 
-async function score(entry: ModelEntry, signal: AbortSignal): Promise<void> {
-  const { id, source } = entry;
+function begin(entries: readonly ModelEntry[]): void {
+  const current = progress.value;
+  progress.value = current
+    ? { ...current, total: current.total + entries.length }
+    : { done: 0, total: entries.length, since: performance.now() };
+  for (const entry of entries) void score(entry, controller.signal);
+}
+
+async function score({ id, source }: ModelEntry, signal: AbortSignal): Promise<void> {
   underWay.add(source.key);
-  const urgency = id === selectedModel.value ? "foreground" : "background";
+  const urgency = id === selectedModel.peek() ? "foreground" : "background";
+  let status: Status;
   try {
-    const result = await engine.run((api) => api.score(source), { signal, urgency });
-    setStatus(id, source.key, { kind: "scored", result });
+    const result = await engine.run((api) => api.score(source), { signal, urgency, name: source.key });
+    status = { kind: "scored", result };
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    setStatus(id, source.key, signal.aborted ? { kind: "stopped" } : { kind: "failed", message });
+    status = signal.aborted ? { kind: "stopped" } : { kind: "failed", message };
   }
-  underWay.delete(source.key);
+  arrived.push([source.key, status]);
+  show();
+}
+
+const show = paced(() => {
+  const news = arrived;
+  arrived = [];
+  for (const [key] of news) underWay.delete(key);
   batch(() => {
+    setStatuses(news);
     const current = progress.value;
     if (!current) return;
-    const done = current.done + 1;
+    const done = current.done + news.length;
     progress.value = done >= current.total ? undefined : { ...current, done };
   });
-}
+});

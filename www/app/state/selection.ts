@@ -1,7 +1,8 @@
 // What the reader looks at: a model, a method, a primitive. Tables, view and charts all read and
 // write these signals and so stay linked.
 
-import { batch, computed, signal } from "@preact/signals";
+import { batch, computed, effect, signal } from "@preact/signals";
+import { contents } from "./contents";
 import { modelById } from "./models";
 import type { MethodReports } from "../../worker/protocol";
 
@@ -14,10 +15,24 @@ export interface PrimitiveRef {
   readonly index: number;
 }
 
-export const selectedModel = signal<string | undefined>(undefined);
+const chosenModel = signal<string | undefined>(undefined);
 const chosenMethod = signal<string | undefined>(undefined);
 export const selectedPrimitive = signal<PrimitiveRef | undefined>(undefined);
 export const hoveredPrimitive = signal<PrimitiveRef | undefined>(undefined);
+
+/** The chosen model while it is on the page, else the first. */
+export const selectedModel = computed<string | undefined>(() => {
+  const chosen = contents.value.find(({ id }) => id === chosenModel.value) ?? contents.value[0];
+  return chosen?.id;
+});
+
+/** What is selected stays so when others come before it, until the result is called. With a model that goes, so does its primitive. */
+export function keepSelection(): () => void {
+  return effect(() => {
+    const selected = selectedModel.value;
+    if (selected !== chosenModel.peek()) select(selected);
+  });
+}
 
 /** The chosen method where the model has it, else the model's first. */
 export const selectedMethod = computed<string | undefined>(() => {
@@ -67,14 +82,20 @@ function reportsOf(wanted: string | undefined): MethodReports | undefined {
 
 export function selectModel(id: string | undefined, method?: string): void {
   batch(() => {
-    if (id !== selectedModel.value || (method !== undefined && method !== selectedMethod.value)) {
-      selectedPrimitive.value = undefined;
-      hoveredPrimitive.value = undefined;
-    }
+    if (id !== selectedModel.value || (method !== undefined && method !== selectedMethod.value)) select(id);
     // Whoever chooses a submission wants to see it.
     if (method !== undefined && method !== selectedMethod.value) rightIsTruth.value = false;
-    selectedModel.value = id;
+    chosenModel.value = id;
     if (method !== undefined) chosenMethod.value = method;
+  });
+}
+
+/** Chooses a model; a primitive of what was selected before means nothing any more. */
+function select(id: string | undefined): void {
+  batch(() => {
+    selectedPrimitive.value = undefined;
+    hoveredPrimitive.value = undefined;
+    chosenModel.value = id;
   });
 }
 

@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { TYPES } from "../charts/surface-types";
-import { goTo, HOME } from "../shell/router";
+import { goTo, HOME } from "../state/router";
 import { selectModel } from "../state/selection";
 import { count, words } from "../ui/columns";
 import * as format from "../ui/format";
@@ -60,7 +60,7 @@ export function ModelsTable({ models, all, several }: Props): JSX.Element {
             </td>
           ))}
           <td class="numeric">{format.share(all.unsegmented)}</td>
-          <td class="numeric">{format.integer(models.reduce((sum, { statistics }) => sum + statistics.shared, 0))}</td>
+          <td class="numeric">{format.integer(all.shared)}</td>
         </tr>
       }
     />

@@ -19,8 +19,11 @@ const ROLE_FOLDER = /^(point_?clouds?|clouds|points)$|^(pointcloud_)?(primitives
 export function setsOf(models: readonly Placed[]): ReadonlyMap<string, string> {
   const folders = new Map(models.map(({ id, path }) => [id, folderOf(path)]));
   const distinct = new Map([...folders.values()].map((folder) => [folder.join("/"), folder]));
-  const all = [...distinct.values()];
-  const names = new Map(Array.from(distinct, ([whole, folder]) => [whole, folder.length === 0 ? LOOSE : nameOf(folder, all)]));
+  const shared = new Map<string, number>();
+  for (const folder of distinct.values()) {
+    for (const name of namesFor(folder)) shared.set(name, (shared.get(name) ?? 0) + 1);
+  }
+  const names = new Map(Array.from(distinct, ([whole, folder]) => [whole, folder.length === 0 ? LOOSE : nameOf(folder, shared)]));
   return new Map(Array.from(folders, ([id, folder]) => [id, names.get(folder.join("/")) ?? LOOSE]));
 }
 
@@ -29,13 +32,14 @@ function folderOf(path: string | undefined): string[] {
   return ROLE_FOLDER.test(folders.at(-1) ?? "") ? folders.slice(0, -1) : folders;
 }
 
-/** The last folder, and of those around it as many as no other set of that name has. */
-function nameOf(folder: readonly string[], all: readonly (readonly string[])[]): string {
-  for (let count = 1; count < folder.length; count += 1) {
-    const name = folder.slice(-count).join("/");
-    if (all.filter((other) => other.slice(-count).join("/") === name).length === 1) return name;
-  }
-  return folder.join("/");
+/** What a set may be called: its last folder, that with the one around it, and so on. */
+function namesFor(folder: readonly string[]): string[] {
+  return folder.map((_, at) => folder.slice(-(at + 1)).join("/"));
+}
+
+/** The shortest name that no other set shares, of whose names it is told how many sets each would fit. */
+function nameOf(folder: readonly string[], shared: ReadonlyMap<string, number>): string {
+  return namesFor(folder).find((name) => shared.get(name) === 1) ?? folder.join("/");
 }
 
 /** A zip is a folder like others. */

@@ -30,10 +30,10 @@ const COLUMNS: readonly Column<Bar>[] = [
   },
 ];
 
-function barsOf({ types, primitives }: DatasetStatistics): Bar[] {
-  const bars = TYPES.map((type) => {
-    const number = types[type as keyof typeof types];
-    return { type, count: number, share: primitives > 0 ? number / primitives : 0 };
+function barsOf({ types, typeShares }: DatasetStatistics): Bar[] {
+  const bars = TYPES.map((name) => {
+    const type = name as keyof typeof types;
+    return { type: name, count: types[type], share: typeShares?.[type] ?? 0 };
   });
   // The paper's charts have the five types; what is none of them is shown where there is any.
   return bars.filter(({ type, count }) => type !== "Other" || count > 0);

@@ -2,11 +2,12 @@
 
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
+import { SHAPES } from "../../generated/declared/shapes.js";
 import { capitalised } from "../ui/format";
 import { blockOf, inserted, moved, removed, replaced, reshaped, withAxis } from "./blocks";
 import { MAX_BLOCKS, type Block } from "./case";
 import { NumberField } from "./number-field";
-import { edit, stock } from "./state";
+import { edit } from "./state";
 
 const AXES = ["x", "y", "z"] as const;
 
@@ -76,7 +77,7 @@ export function BlockList({ blocks }: { blocks: readonly Block[] }): JSX.Element
       </ol>
       <div class="row">
         <select aria-label="Shape of the new block" value={shape.value} onChange={(event) => (shape.value = event.currentTarget.value)}>
-          {stock.value.shapes.map(({ name, title }) => (
+          {SHAPES.map(({ name, title }) => (
             <option key={name} value={name}>
               {title}
             </option>
@@ -84,9 +85,9 @@ export function BlockList({ blocks }: { blocks: readonly Block[] }): JSX.Element
         </select>
         <button
           type="button"
-          disabled={blocks.length >= MAX_BLOCKS || stock.value.shapes.length === 0}
+          disabled={blocks.length >= MAX_BLOCKS}
           onClick={() => {
-            const info = stock.value.shapes.find(({ name }) => name === shape.value);
+            const info = SHAPES.find(({ name }) => name === shape.value);
             if (!info) return;
             open.value = blocks.length;
             set([...blocks, blockOf(info)], `Add a ${info.title.toLowerCase()}`);
@@ -108,7 +109,7 @@ interface ItemProps {
 }
 
 function BlockItem({ block, place, open, onToggle, onChange }: ItemProps): JSX.Element {
-  const info = stock.value.shapes.find(({ name }) => name === block.shape);
+  const info = SHAPES.find(({ name }) => name === block.shape);
   const of = `block ${place + 1}`;
   return (
     <>
@@ -137,11 +138,11 @@ function BlockItem({ block, place, open, onToggle, onChange }: ItemProps): JSX.E
               aria-label={`Shape of ${of}`}
               value={block.shape}
               onChange={(event) => {
-                const next = stock.value.shapes.find(({ name }) => name === event.currentTarget.value);
+                const next = SHAPES.find(({ name }) => name === event.currentTarget.value);
                 if (next) onChange(reshaped(block, info, next), "shape");
               }}
             >
-              {stock.value.shapes.map(({ name, title }) => (
+              {SHAPES.map(({ name, title }) => (
                 <option key={name} value={name}>
                   {title}
                 </option>

@@ -1,26 +1,27 @@
 // The case in the view, and the lasso that lies over it.
 
 import type { JSX } from "preact";
-import { useSignal } from "@preact/signals";
+import { effect, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { effect } from "@preact/signals";
 import { isDark } from "../state/settings";
 import * as format from "../ui/format";
 import { LiveView } from "../view/live-view";
 import { bytes, segmentColour, UNSEGMENTED } from "../view/palette";
 import type { PointView } from "../view/point-view";
 import { LookFrom } from "../view/look-from";
-import { isGenerated } from "./case";
+import type { Weight } from "../../worker/studio";
+import { isGenerated, type Case } from "./case";
 import { LassoLayer } from "./lasso-layer";
 import { vanished } from "./missing-section";
-import { failure, made, making, stop } from "./state";
-import { thinIn, thinness } from "./thin";
-import { inBall, placeBallOn, tool } from "./tools";
+import { failure, made, makeOffered, making, offered, stop } from "./state";
+import { thinness } from "./thin";
+import { followBall, inBall, placeBallOn, tool } from "./tools";
 
 export function Canvas(): JSX.Element {
   const view = useSignal<PointView | undefined>(undefined);
   const drawn = view.value;
   useEffect(() => drawn && show(drawn), [drawn]);
+  useEffect(followBall, []);
   return (
     <div class="studio-view">
       <div class="picture-tools">
@@ -51,14 +52,34 @@ function Trouble(): JSX.Element | null {
       </p>
     );
   }
+  if (offered.value) return <Offer {...offered.value} />;
   const { of, result } = made.value ?? {};
   if (!of || !isGenerated(of) || !result?.truth) return null;
-  const { truth, diagonal } = result;
-  const warning = thinness(thinIn(truth), truth.primitives.length, of.sampling.spacing * diagonal);
+  const warning = thinness(result.thin, result.truth.primitives.length);
   return warning === undefined ? null : (
     <p class="studio-warning" role="status">
       {warning}
     </p>
+  );
+}
+
+/** What a link's case takes to be made, before it is. */
+function Offer({ of, weight }: { of: Case; weight: Weight | undefined }): JSX.Element {
+  const parts = [
+    weight && `about ${format.plural(Number(weight.points.toPrecision(2)), "point")}`,
+    of.base.kind === "blocks" && format.plural(of.base.blocks.length, "block"),
+    of.cuts.length > 0 && format.plural(of.cuts.length, "cut"),
+  ];
+  return (
+    <div class="studio-offer" role="alert">
+      <p>
+        The case of this link takes {weight ? `roughly ${format.duration(1000 * weight.seconds)}` : "longer than could be found out"} to make:{" "}
+        {parts.filter(Boolean).join(", ")}. It can be stopped at any moment.
+      </p>
+      <button type="button" onClick={makeOffered}>
+        Make it
+      </button>
+    </div>
   );
 }
 

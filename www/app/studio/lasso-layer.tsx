@@ -5,10 +5,9 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useId, useRef } from "preact/hooks";
 import * as format from "../ui/format";
 import type { PointView } from "../view/point-view";
-import { depthOf, lassoOf } from "./lasso";
 import { afterKey, cornersOf, MIDDLE, wordsFor, type Corner, type Rectangle } from "./rectangle";
 import { made, making } from "./state";
-import { cutAway, exactPointAt, reach } from "./tools";
+import { cutAway, reach } from "./tools";
 
 const ID = "lasso";
 
@@ -115,15 +114,11 @@ function sizeOf({ canvas }: PointView): { width: number; height: number } {
 
 function cutAlong(view: PointView, corners: readonly Corner[]): void {
   const result = made.value?.result;
-  const size = sizeOf(view);
-  if (!result || making.value || size.height === 0) return;
-  const lasso = lassoOf(corners, { ...size, camera: view.camera, centre: result.centre });
+  if (!result || making.value) return;
+  const lasso = view.lasso(0, corners, reach.value === "seen");
   if (!lasso) return;
-  const hit = view.pointsIn(0, { kind: "polygon", corners }, reach.value === "seen");
-  if (hit.length === 0) return;
-  if (reach.value === "through") return cutAway(lasso);
-  // A little more than the deepest: what is seen must not stay for want of a digit.
-  const depths = Array.from(hit, (index) => depthOf(lasso, exactPointAt(index) ?? lasso.target));
-  const deepest = depths.reduce((most, depth) => Math.max(most, depth), -Infinity);
-  cutAway({ ...lasso, depth: deepest + view.spacing / 4 });
+  const { centre } = result;
+  const { target } = lasso;
+  // The view knows places relative to the middle of the cloud.
+  cutAway({ kind: "lasso", ...lasso, target: [centre[0] + target[0], centre[1] + target[1], centre[2] + target[2]] });
 }

@@ -2,12 +2,13 @@
 
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
+import { versionWords } from "../sharing/version";
 import { Canvas } from "./canvas";
 import { MissingSection } from "./missing-section";
 import { PartSection } from "./part-section";
 import { SamplingSection } from "./sampling-section";
 import { SaveSection } from "./save-section";
-import { close, damaged, open, readAddress, redo, redoable, undo, undoable } from "./state";
+import { close, damaged, engineHere, linkedWith, open, readAddress, redo, redoable, undo, undoable } from "./state";
 import "./studio.css";
 
 export default function Studio(): JSX.Element {
@@ -43,6 +44,7 @@ export default function Studio(): JSX.Element {
             </button>
           </p>
         )}
+        <OtherEngine />
         <PartSection />
         <SamplingSection />
         <MissingSection />
@@ -50,6 +52,17 @@ export default function Studio(): JSX.Element {
       </div>
       <Canvas />
     </div>
+  );
+}
+
+/** Another version of the engine may make other points of the same case. */
+function OtherEngine(): JSX.Element | null {
+  const [theirs, here] = [linkedWith.value, engineHere.value];
+  if (theirs === undefined || here === undefined || theirs === here) return null;
+  return (
+    <p class="hint" role="status">
+      The link was made with {versionWords(theirs)}, this is engine {here}: the points may be others.
+    </p>
   );
 }
 

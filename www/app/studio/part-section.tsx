@@ -1,11 +1,12 @@
 // What the case is made of: blocks, a sample part, or a model on the page.
 
 import type { JSX } from "preact";
+import { PARTS } from "../../generated/declared/parts.js";
 import { truthOnly } from "../state/content";
 import { models } from "../state/models";
 import { BlockList } from "./block-list";
 import { FIRST, type Base } from "./case";
-import { current, edit, stock } from "./state";
+import { current, edit } from "./state";
 
 export function PartSection(): JSX.Element {
   const { name, base } = current.value;
@@ -36,12 +37,12 @@ export function PartSection(): JSX.Element {
           <select value={chosen} onChange={(event) => choose(event.currentTarget.value)}>
             <option value="blocks">Building blocks</option>
             <optgroup label="Sample parts">
-              {stock.value.parts.map(({ name: part, title }) => (
+              {PARTS.map(({ name: part, title }) => (
                 <option key={part} value={`sample:${part}`}>
                   {title}
                 </option>
               ))}
-              {base.kind === "sample" && !stock.value.parts.some(({ name: part }) => part === base.part) && (
+              {base.kind === "sample" && !PARTS.some(({ name: part }) => part === base.part) && (
                 <option value={chosen}>{base.part}</option>
               )}
             </optgroup>
@@ -79,7 +80,7 @@ export function PartSection(): JSX.Element {
         <p class="hint">
           {base.kind === "files"
             ? "Its points and ground truth are taken as they are; noise and outliers come on top."
-            : stock.value.parts.find(({ name: part }) => part === base.part)?.description}
+            : PARTS.find(({ name: part }) => part === base.part)?.description}
         </p>
       )}
       {base.kind !== "files" && <p class="hint">Drop files anywhere on the page to have your own models among the choices.</p>}

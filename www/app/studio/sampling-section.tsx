@@ -1,27 +1,14 @@
 // How the part becomes a cloud.
 
 import type { JSX } from "preact";
+import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
+import { capitalised } from "../ui/format";
 import type { Sampling } from "./case";
 import { NumberField } from "./number-field";
 import { current, edit } from "./state";
 
-interface Control {
-  readonly id: keyof Sampling;
-  readonly label: string;
-  readonly hint: string;
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  readonly whole?: true;
-}
-
-/** The ranges are the engine's. */
-const CONTROLS: readonly Control[] = [
-  { id: "spacing", label: "Spacing", hint: "Distance between neighbouring points, over the diagonal", min: 0.0005, max: 0.1, step: 0.001 },
-  { id: "noise", label: "Noise", hint: "Standard deviation of each coordinate, over the diagonal", min: 0, max: 0.1, step: 0.0005 },
-  { id: "outliers", label: "Outliers", hint: "Strewn points, over the points of the part", min: 0, max: 1, step: 0.01 },
-  { id: "seed", label: "Seed", hint: "The same seed gives the same points, noise and outliers", min: 0, max: 2 ** 32 - 1, step: 1, whole: true },
-];
+/** By how much the arrows change each. */
+const STEPS: Readonly<Record<keyof Sampling, number>> = { spacing: 0.001, noise: 0.0005, outliers: 0.01, seed: 1 };
 
 export function SamplingSection(): JSX.Element {
   const { base, sampling } = current.value;
@@ -29,15 +16,24 @@ export function SamplingSection(): JSX.Element {
     <section aria-labelledby="studio-sampling">
       <h3 id="studio-sampling">Sampling</h3>
       <div class="studio-fields pairs">
-        {CONTROLS.map(({ id, ...control }) => (
-          <NumberField
-            key={id}
-            {...control}
-            value={sampling[id]}
-            disabled={id === "spacing" && base.kind === "files"}
-            onValue={(value) => edit({ sampling: { ...sampling, [id]: value } }, `Set ${control.label.toLowerCase()} to ${value}`, `sampling ${id}`)}
-          />
-        ))}
+        {SAMPLE_OPTIONS.flatMap(({ name, unit, minimum, maximum, whole, explanation }) => {
+          // What is missing is cut away piece by piece, below.
+          if (name === "missing") return [];
+          return (
+            <NumberField
+              key={name}
+              label={capitalised(name)}
+              hint={unit === "" ? explanation : `${explanation} ${capitalised(unit)}.`}
+              min={minimum}
+              max={maximum}
+              step={STEPS[name]}
+              whole={whole}
+              value={sampling[name]}
+              disabled={name === "spacing" && base.kind === "files"}
+              onValue={(value) => edit({ sampling: { ...sampling, [name]: value } }, `Set ${name} to ${value}`, `sampling ${name}`)}
+            />
+          );
+        })}
       </div>
     </section>
   );

@@ -3,21 +3,22 @@
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
 import { copy, download } from "../export/download";
-import { safe } from "../export/submission";
 import { zip } from "../export/zip";
-import { goToPanel } from "../shell/panels";
-import { goTo, HOME } from "../shell/router";
-import { addMade } from "../state/inbox";
+import { goToPanel } from "../state/panels";
+import { goTo, HOME } from "../state/router";
+import { addMade } from "../state/arrivals";
 import { notify } from "../state/notices";
-import type { ModelFile } from "../../worker/protocol";
+import type { CaseFiles } from "../../worker/studio";
 import { isGenerated } from "./case";
 import { writeCase } from "./link/link";
-import { ask, current, failure, made, making } from "./state";
+import { ask, current, engineHere, failure, made, making, offered } from "./state";
 
 const link = computed<{ readonly address: string } | { readonly why: string }>(() => {
   if (!isGenerated(current.value)) return { why: "A link can hold what is generated. This case is made of files: save them instead." };
   try {
-    return { address: `${location.origin}${location.pathname}?page=studio${writeCase(current.value)}` };
+    const engine = engineHere.value;
+    const fragment = writeCase({ of: current.value, ...(engine !== undefined && { engine }) });
+    return { address: `${location.origin}${location.pathname}?page=studio${fragment}` };
   } catch (error) {
     return { why: error instanceof Error ? error.message : String(error) };
   }
@@ -25,7 +26,7 @@ const link = computed<{ readonly address: string } | { readonly why: string }>((
 
 export function SaveSection(): JSX.Element {
   const holdsPoints = (made.value?.result.positions.length ?? 0) > 0;
-  const ready = holdsPoints && !making.value && failure.value === undefined;
+  const ready = holdsPoints && !making.value && !offered.value && failure.value === undefined;
   const kept = link.value;
   return (
     <section aria-labelledby="studio-keep">
@@ -56,29 +57,21 @@ export function SaveSection(): JSX.Element {
 }
 
 /** The files of the case in the paper's form. */
-async function filesOf(name: string): Promise<ModelFile[]> {
-  const { cloud, truth } = await ask((engine) => engine.texts());
-  const file = (role: ModelFile["role"], path: string, text: string): ModelFile => ({
-    path,
-    role,
-    data: new Blob([text], { type: "text/plain" }),
-  });
-  return [
-    file("cloud", `${name}.txt`, cloud),
-    ...(truth
-      ? (["primitives", "parametric", "implicit"] as const).map((role) => file(role, `${name}_${role}.txt`, truth[role]))
-      : []),
-  ];
+function filesNow(): Promise<CaseFiles> {
+  const { name } = current.value;
+  return ask((engine) => engine.files(name));
 }
 
 async function save(): Promise<void> {
-  const name = safe(current.value.name);
-  download(`${name}.zip`, await zip(await filesOf(name)));
+  const { name, files } = await filesNow();
+  const note = { case: current.value.name, engine: engineHere.value };
+  const about = new Blob([`${JSON.stringify(note, null, 2)}\n`], { type: "application/json" });
+  download(`${name}.zip`, await zip([...files, { path: "fit4cad.json", data: about }]));
 }
 
 async function handOver(): Promise<void> {
-  const name = safe(current.value.name);
-  const called = addMade(name, { kind: "files" }, await filesOf(name), "shown");
+  const { name, files } = await filesNow();
+  const called = addMade(name, { kind: "files" }, files, "shown");
   goTo(HOME);
   goToPanel("fit");
   notify(`${called} is on the page: fit it with either method.`);

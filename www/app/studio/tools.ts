@@ -1,9 +1,10 @@
 // What is being cut away next: the tool in hand, and the ball before it is cut.
 
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
+import { latest } from "../engine/latest";
 import type { Cut, Vector } from "./case";
 import { rounded } from "./rounding";
-import { current, edit, made } from "./state";
+import { ask, current, edit, made } from "./state";
 
 export type Tool = "turn" | "lasso" | "ball";
 export type Reach = "through" | "seen";
@@ -52,33 +53,28 @@ export function placeBallOn(point: number): void {
 /** Where a point of the case is, counted from 0, without digits that say nothing. */
 export function pointAt(index: number): Vector | undefined {
   const result = made.value?.result;
-  const place = exactPointAt(index);
-  return result && place && rounded(place, result.diagonal);
-}
-
-/** The same as the engine has it, but for single precision. */
-export function exactPointAt(index: number): Vector | undefined {
-  const result = made.value?.result;
   if (!result || index < 0 || 3 * index >= result.positions.length) return undefined;
-  const { positions, centre } = result;
+  const { positions, centre, diagonal } = result;
   const at = (axis: 0 | 1 | 2) => (positions[3 * index + axis] ?? 0) + centre[axis];
-  return [at(0), at(1), at(2)];
+  return rounded([at(0), at(1), at(2)], diagonal);
 }
 
-/** The points inside the ball in hand; none while another tool is. */
-export const inBall = computed<readonly number[]>(() => {
-  const result = made.value?.result;
-  if (tool.value !== "ball" || !ball.value || !result) return [];
-  const { positions } = result;
-  const [x, y, z] = ball.value.centre.map((coordinate, axis) => coordinate - (result.centre[axis] ?? 0));
-  const square = ball.value.radius ** 2;
-  const inside: number[] = [];
-  for (let at = 0; at < positions.length; at += 3) {
-    const [dx, dy, dz] = [(positions[at] ?? 0) - (x ?? 0), (positions[at + 1] ?? 0) - (y ?? 0), (positions[at + 2] ?? 0) - (z ?? 0)];
-    if (dx * dx + dy * dy + dz * dz <= square) inside.push(at / 3);
-  }
-  return inside;
+/** The points inside the ball in hand, as the engine counts them; none while another tool is. */
+export const inBall = signal<Uint32Array | readonly number[]>([]);
+
+/** The ball may move faster than its points are counted. */
+const count = latest(async (held: { readonly centre: Vector; readonly radius: number } | undefined) => {
+  inBall.value = held ? await ask((engine) => engine.pointsInBall(held.centre, held.radius)) : [];
 });
+
+/** Keeps the points inside the ball in step with it and with the case, until the result is called. */
+export function followBall(): () => void {
+  return effect(() => {
+    const held = tool.value === "ball" && made.value ? ball.value : undefined;
+    // Without an answer there is nothing to cut, which the next one mends.
+    count(held).catch(() => (inBall.value = []));
+  });
+}
 
 export function cutAway(cut: Cut): void {
   edit({ cuts: [...current.value.cuts, cut] }, cut.kind === "ball" ? "Cut a ball" : "Cut with the lasso");

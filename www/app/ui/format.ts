@@ -1,6 +1,7 @@
 // How numbers are written.
 
 import type { Measure } from "../engine/contract";
+import { MEASURE } from "../measures/measures";
 
 const INTEGER = new Intl.NumberFormat("en");
 
@@ -16,12 +17,12 @@ export function shortCount(value: number): string {
 
 export const MISSING = "n/a";
 
-/** A measure as shown in a table: four digits after the point, small errors in powers of ten. */
+/** A measure as shown in a table: with the digits that tell something, small errors in powers of ten. */
 export function measure(name: Measure, value: number | null | undefined): string {
   if (value === null || value === undefined) return MISSING;
-  const small = name === "MFE" || name === "dHaus" || name === "d1";
-  if (small && value !== 0 && Math.abs(value) < 0.0001) return value.toExponential(1).replace("e-", "e−");
-  return value.toFixed(4);
+  const { better, decimals } = MEASURE[name];
+  const small = better === "lower" && value !== 0 && Math.abs(value) < 10 ** -decimals;
+  return small ? value.toExponential(1).replace("e-", "e−") : value.toFixed(decimals);
 }
 
 export function plural(count: number, noun: string): string {
@@ -52,4 +53,10 @@ export function share(value: number | null): string {
   if (value > 0 && percent === "0.0") return "< 0.1 %";
   if (value < 1 && percent === "100.0") return "> 99.9 %";
   return `${percent} %`;
+}
+
+/** A probability; one too small to tell is said to be below what four digits tell. */
+export function probability(value: number | null | undefined): string {
+  if (value === null || value === undefined) return MISSING;
+  return value < 0.0001 ? "< 0.0001" : value.toFixed(4);
 }

@@ -2,7 +2,7 @@
 
 import type { ComponentChildren, JSX } from "preact";
 import { useSignal, type Signal } from "@preact/signals";
-import { useRef } from "preact/hooks";
+import { isWindowed, Seen } from "./seen";
 
 export interface Column<Row> {
   readonly id: string;
@@ -43,7 +43,6 @@ interface Props<Row> {
 export function Table<Row>(props: Props<Row>): JSX.Element {
   const own = useSignal<Sorting | undefined>(undefined);
   const sorting = props.sorting ?? own;
-  const body = useRef<HTMLTableSectionElement>(null);
   const rows = sorted(props.rows, props.columns, sorting.value);
 
   const turn = (column: Column<Row>) => {
@@ -56,7 +55,7 @@ export function Table<Row>(props: Props<Row>): JSX.Element {
   };
 
   return (
-    <table class={props.className}>
+    <table class={props.className} aria-rowcount={isWindowed(rows.length) ? rows.length + 1 : undefined}>
       <caption>{props.caption}</caption>
       <thead>
         <tr>
@@ -65,14 +64,16 @@ export function Table<Row>(props: Props<Row>): JSX.Element {
           ))}
         </tr>
       </thead>
-      <tbody
-        ref={body}
-        onKeyDown={(event) => moveFocus(event, body.current)}
+      <Seen
+        as="tbody"
+        items={rows}
+        columns={props.columns.length}
+        handle=".row-name"
         onMouseLeave={props.onHover && (() => props.onHover?.(undefined))}
-      >
-        {rows.map((row) => (
+        draw={(row, place) => (
           <tr
             key={props.keyOf(row)}
+            {...place}
             aria-current={props.isSelected?.(row) ? "true" : undefined}
             data-hovered={props.isHovered?.(row) || undefined}
             onClick={props.onSelect && (() => props.onSelect?.(row))}
@@ -80,8 +81,8 @@ export function Table<Row>(props: Props<Row>): JSX.Element {
           >
             {props.columns.map((column, i) => cell(column, row, i === 0, props.onSelect !== undefined))}
           </tr>
-        ))}
-      </tbody>
+        )}
+      />
       {props.foot && <tfoot>{props.foot}</tfoot>}
     </table>
   );
@@ -150,16 +151,4 @@ function sorted<Row>(rows: readonly Row[], columns: readonly Column<Row>[], sort
       return sign * String(a.value).localeCompare(String(b.value), "en", { numeric: true });
     })
     .map(({ row }) => row);
-}
-
-/** Arrow keys, Home and End walk the rows. */
-function moveFocus(event: KeyboardEvent, body: HTMLElement | null): void {
-  if (!body || !(event.target instanceof HTMLElement)) return;
-  const names = [...body.querySelectorAll<HTMLElement>(".row-name")];
-  const at = names.findIndex((name) => name === event.target);
-  if (at < 0) return;
-  const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: names.length - 1 }[event.key];
-  if (to === undefined) return;
-  event.preventDefault();
-  names[Math.min(names.length - 1, Math.max(0, to))]?.focus();
 }

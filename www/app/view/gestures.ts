@@ -1,7 +1,6 @@
 // Mouse, fingers, wheel and keys, as movements of the view.
 
-import type { PointView } from "./point-view";
-import { STANDPOINTS } from "./types";
+import { STANDPOINTS, type CameraState, type Hit, type Standpoint, type ViewEvents } from "./types";
 
 /** A press that moves less than this, in pixels, is a click. */
 const CLICK_SLOP = 4;
@@ -12,6 +11,23 @@ const KEY_TURN = Math.PI / 24;
 const KEY_PAN = 40;
 const KEY_ZOOM = 1.2;
 
+/** What gestures move: a view on a canvas. Places are in pixels of the page from the canvas's upper left corner. */
+export interface Movable {
+  readonly canvas: HTMLCanvasElement;
+  readonly camera: CameraState;
+  turn(yaw: number, pitch: number, roll?: number): void;
+  drag(x0: number, y0: number, x1: number, y1: number): void;
+  pan(dx: number, dy: number): void;
+  zoom(factor: number, x?: number, y?: number): void;
+  lookFrom(standpoint: Standpoint): void;
+  fit(): void;
+  setProjection(projection: CameraState["projection"]): void;
+  pick(x: number, y: number): Promise<Hit | undefined>;
+  /** The cursor is there, or gone. */
+  hover(x?: number, y?: number): void;
+  tell<Name extends keyof ViewEvents>(name: Name, ...details: Parameters<ViewEvents[Name]>): void;
+}
+
 interface Press {
   x: number;
   y: number;
@@ -20,14 +36,30 @@ interface Press {
   readonly pans: boolean;
 }
 
+/** What gestures move and ask: the view. Places and ways are in pixels of the canvas, angles in radians. */
+export interface Movable {
+  readonly canvas: HTMLCanvasElement;
+  readonly camera: CameraState;
+  drag(x0: number, y0: number, x1: number, y1: number): void;
+  fit(): void;
+  hover(x?: number, y?: number): void;
+  lookFrom(standpoint: Standpoint): void;
+  pan(dx: number, dy: number): void;
+  pick(x: number, y: number): Promise<Hit | undefined>;
+  setProjection(projection: CameraState["projection"]): void;
+  tell<Name extends keyof ViewEvents>(name: Name, ...details: Parameters<ViewEvents[Name]>): void;
+  turn(yaw: number, pitch: number, roll?: number): void;
+  zoom(factor: number, x?: number, y?: number): void;
+}
+
 export class Gestures {
-  private readonly view: PointView;
+  private readonly view: Movable;
   private readonly stop = new AbortController();
   private readonly presses = new Map<number, Press>();
   private moved = false;
   private lastClick = { time: -Infinity, x: 0, y: 0 };
 
-  constructor(view: PointView) {
+  constructor(view: Movable) {
     this.view = view;
     const { canvas } = view;
     canvas.style.touchAction = "none";
@@ -127,8 +159,8 @@ export class Gestures {
       else view.turn(x * KEY_TURN, y * KEY_TURN);
       return true;
     }
-    const standpoint = STANDPOINTS[Number(key) - 1];
-    if (standpoint) view.lookFrom(standpoint);
+    const chosen = STANDPOINTS[Number(key) - 1];
+    if (chosen) view.lookFrom(chosen.standpoint);
     else if (key === "+" || key === "=") view.zoom(KEY_ZOOM);
     else if (key === "-" || key === "_") view.zoom(1 / KEY_ZOOM);
     else if (key === "," || key === "<") view.turn(0, 0, KEY_TURN);

@@ -13,15 +13,15 @@ export function LookFrom({ view }: { view: PointView | undefined }): JSX.Element
         value=""
         disabled={!view}
         onChange={(event) => {
-          const chosen = STANDPOINTS.find((standpoint) => standpoint === event.currentTarget.value);
-          if (chosen) view?.lookFrom(chosen);
+          const chosen = STANDPOINTS.find(({ name }) => name === event.currentTarget.value);
+          if (chosen) view?.lookFrom(chosen.standpoint);
           event.currentTarget.value = "";
         }}
       >
         <option value="">Look from…</option>
-        {STANDPOINTS.map((standpoint) => (
-          <option key={standpoint} value={standpoint}>
-            {standpoint}
+        {STANDPOINTS.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
           </option>
         ))}
       </select>

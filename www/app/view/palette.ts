@@ -1,22 +1,13 @@
 // The colours of segments and scalars: the one place that the view, the tables and the charts
 // take them from. `scripts/palette.mjs` made the values and says how.
 
+import { SURFACE_TYPES } from "../../generated/declared/surface-types.js";
+import { SEGMENT_COLOURS, UNSEGMENTED } from "../../shared/palette.mjs";
+
 /** Red, green and blue, 0 to 255. */
 export type Rgb = readonly [number, number, number];
 
-/**
- * Colours of segments. The first are the farthest apart: any two of the first 8 differ by at least
- * 0.11 in OKLab, of the first 16 by 0.07, of all by 0.048, to normal eyes and to colour-blind ones alike.
- */
-export const SEGMENT_COLOURS: readonly string[] = [
-  "#2f6fc4", "#f0d269", "#c31e00", "#69c3ff", "#d28778", "#872d69", "#8787ff", "#a55a78",
-  "#b4b400", "#00f0f0", "#2d4ba5", "#ffa5a5", "#879600", "#b478c3", "#a51e3c", "#c36969",
-  "#875af0", "#695a96", "#69a5f0", "#d296c3", "#e15a96", "#96c369", "#5a874b", "#b41e87",
-  "#d2c32d", "#0096a5", "#1e4bd2", "#00e1c3", "#7878e1", "#b4e196", "#96a53c", "#96780f",
-];
-
-/** Points that no segment lists. */
-export const UNSEGMENTED = "#8b9097";
+export { SEGMENT_COLOURS, UNSEGMENTED };
 
 /** Misclassified points, as in the paper's figures. */
 export const MISCLASSIFIED = "#000000";
@@ -34,6 +25,12 @@ export const SEQUENTIAL: readonly string[] = [
 export function segmentColour(number: number): string {
   const count = SEGMENT_COLOURS.length;
   return SEGMENT_COLOURS[((number % count) + count) % count] ?? UNSEGMENTED;
+}
+
+/** Colour of a type of surface, by its name; that of unsegmented points for what is none. */
+export function typeColour(name: string | null | undefined): string {
+  const type = SURFACE_TYPES.find((candidate) => candidate.name === name);
+  return type ? segmentColour(type.colour) : UNSEGMENTED;
 }
 
 /** The channels of `#rrggbb`. */

@@ -2,7 +2,7 @@
 // frame, so that nothing ever waits for the graphics card.
 
 import type { View } from "../../generated/view/view.js";
-import type { Hit, Side } from "./types";
+import type { Hit } from "./types";
 
 /** A place in device pixels from the lower left corner. */
 interface Place {
@@ -51,8 +51,7 @@ export class PickQueue {
     if (this.#asked) {
       const found = this.#view.poll_pick();
       if (!found) return;
-      const [side = 0, index = -1] = found;
-      this.#settle(index < 0 ? undefined : { side: side as Side, index });
+      this.#settle(found.hit);
     }
     const next = this.#waiting.shift() ?? this.#hover;
     if (!next) return;

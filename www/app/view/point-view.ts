@@ -1,6 +1,6 @@
 // The view: owns a canvas, draws when something has changed, and answers what is under the cursor.
 
-import init, { View } from "../../generated/view/view.js";
+import init, { View, type Lasso } from "../../generated/view/view.js";
 import { Gestures } from "./gestures";
 import { bytes, rgb, SEQUENTIAL } from "./palette";
 import { PickQueue } from "./pick-queue";
@@ -14,7 +14,6 @@ import {
   type Region,
   type Side,
   type Standpoint,
-  STANDPOINTS,
   type SurfacePatch,
   type Theme,
   type ViewEvents,
@@ -173,19 +172,13 @@ export class PointView {
   setPatches(patches: readonly SurfacePatch[]): void {
     this.change((view) => {
       view.clear_patches();
-      for (const { side, colour, positions, normals, triangles, lines, marks } of patches) {
-        view.add_patch(side, bytes([colour]), positions, normals, triangles, lines, marks);
-      }
+      for (const patch of patches) view.add_patch(patch);
     });
   }
 
   setLayout(layout: Layout): void {
     this.layout = layout;
-    this.change((view) => {
-      if (layout.kind === "single") view.show_single(layout.side);
-      else if (layout.kind === "wipe") view.show_wipe(layout.at);
-      else view.show_split();
-    });
+    this.change((view) => view.set_layout(layout));
   }
 
   getLayout(): Layout {
@@ -193,9 +186,7 @@ export class PointView {
   }
 
   setPointSize(size: PointSize): void {
-    this.change((view) =>
-      size.unit === "pixels" ? view.size_in_pixels(size.value) : view.size_by_spacing(size.value),
-    );
+    this.change((view) => view.set_point_size(size));
   }
 
   /** Strength of eye-dome lighting: 0 off, 1 usual. */
@@ -216,20 +207,12 @@ export class PointView {
   // The camera. Movement is animated unless the reader prefers reduced motion.
 
   get camera(): CameraState {
-    const [x = 0, y = 0, z = 0, i = 0, j = 0, k = 0, w = 1, height = 1, orthographic = 0] = this.view.camera();
-    return {
-      target: [x, y, z],
-      rotation: [i, j, k, w],
-      height,
-      projection: orthographic ? "orthographic" : "perspective",
-    };
+    return this.view.camera();
   }
 
   /** False where the numbers make no camera; nothing changes then. */
   setCamera(state: CameraState, animated = false): boolean {
-    const { target, rotation, height, projection } = state;
-    const numbers = [...target, ...rotation, height, projection === "orthographic" ? 1 : 0];
-    return this.change((view) => view.set_camera(Float32Array.from(numbers), this.animated(animated)));
+    return this.change((view) => view.set_camera(state, this.animated(animated)));
   }
 
   /**
@@ -246,15 +229,15 @@ export class PointView {
   }
 
   private get narrowness(): number {
-    return Math.min(1, this.aspect(this.canvas.width, this.canvas.height));
+    return Math.min(1, this.view.aspect(this.canvas.width, this.canvas.height));
   }
 
   setProjection(projection: CameraState["projection"]): void {
-    this.change((view) => view.set_orthographic(projection === "orthographic"));
+    this.change((view) => view.set_projection(projection));
   }
 
   lookFrom(standpoint: Standpoint, animated = true): void {
-    this.change((view) => view.look_from(STANDPOINTS.indexOf(standpoint), this.animated(animated)));
+    this.change((view) => view.look_from(standpoint, this.animated(animated)));
   }
 
   /** Frames the whole cloud. */
@@ -316,7 +299,7 @@ export class PointView {
   }
 
   sideAt(x: number, y: number): Side | undefined {
-    return this.view.side_at(x * this.ratio, this.up(y)) as Side | undefined;
+    return this.view.side_at(x * this.ratio, this.up(y));
   }
 
   /** Where a place of the cloud is seen; nothing where it is behind the eye or the side not shown. */
@@ -332,8 +315,19 @@ export class PointView {
       const { x, y, radius } = region;
       return this.view.points_in_circle(side, x * this.ratio, this.up(y), radius * this.ratio, visibleOnly);
     }
-    const corners = region.corners.flatMap(([x, y]) => [x * this.ratio, this.up(y)]);
-    return this.view.points_in_polygon(side, Float32Array.from(corners), visibleOnly);
+    return this.view.points_in_polygon(side, this.onScreen(region.corners), visibleOnly);
+  }
+
+  /**
+   * The region of space that a closed curve on a side encloses: all the way through, or as deep as the deepest point
+   * that can be seen in it. Nothing where no point is inside.
+   */
+  lasso(side: Side, curve: readonly (readonly [number, number])[], visibleOnly: boolean): Lasso | undefined {
+    return this.view.lasso(side, this.onScreen(curve), visibleOnly);
+  }
+
+  private onScreen(places: readonly (readonly [number, number])[]): Float32Array {
+    return Float32Array.from(places.flatMap(([x, y]) => [x * this.ratio, this.up(y)]));
   }
 
   /** Typical distance of neighbouring points. */
@@ -346,7 +340,7 @@ export class PointView {
     const ratio = Math.min(width / this.canvas.clientWidth, height / this.canvas.clientHeight);
     const { view, theme, canvas, camera } = this;
     try {
-      this.keepInSight(this.aspect(canvas.width, canvas.height), this.aspect(width, height));
+      this.keepInSight(this.view.aspect(canvas.width, canvas.height), this.view.aspect(width, height));
       view.set_theme(unit(background ?? theme.background), unit(ink ?? theme.ink));
       const pixels = view.picture(width, height, ratio, transparent ? 0 : 1);
       return new ImageData(new Uint8ClampedArray(pixels), width, height);
@@ -430,12 +424,6 @@ export class PointView {
     return this.canvas.height - y * this.ratio;
   }
 
-  /** Width of one of the views over its height, on a canvas of a size. */
-  private aspect(width: number, height: number): number {
-    if (this.layout.kind !== "split") return width / height;
-    return width >= height ? width / 2 / height : width / (height / 2);
-  }
-
   /** A camera keeps the height that it shows; where a view gets narrower than high, what is at its sides must not leave. */
   private keepInSight(from: number, to: number): void {
     const factor = Math.min(1, from) / Math.min(1, to);
@@ -444,12 +432,13 @@ export class PointView {
 
   private measure(entry: ResizeObserverEntry | undefined): void {
     const { canvas } = this;
+    // oxlint-disable-next-line typescript/no-unnecessary-condition -- not every browser has it
     const exact = entry?.devicePixelContentBoxSize?.[0];
     this.ratio = window.devicePixelRatio || 1;
     const width = exact?.inlineSize ?? Math.round(canvas.clientWidth * this.ratio);
     const height = exact?.blockSize ?? Math.round(canvas.clientHeight * this.ratio);
     if (width === 0 || height === 0) return;
-    this.keepInSight(this.aspect(canvas.width, canvas.height), this.aspect(width, height));
+    this.keepInSight(this.view.aspect(canvas.width, canvas.height), this.view.aspect(width, height));
     canvas.width = width;
     canvas.height = height;
     this.view.resize(width, height, this.ratio);

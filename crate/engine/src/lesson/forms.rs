@@ -40,8 +40,8 @@ impl From<SurfaceSliders> for Surface {
     fn from(sliders: SurfaceSliders) -> Self {
         let [x, y, z] = sliders.at;
         let at = Point::new(x, y, z);
-        let (sin, cos) = sliders.tilt.to_radians().sin_cos();
-        let (up, out) = sliders.heading.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(sliders.tilt.to_radians());
+        let (up, out) = libm::sincos(sliders.heading.to_radians());
         let axis = Vector::new(sin * out, sin * up, cos);
         match sliders.kind {
             SurfaceType::Plane => Self::Plane(Plane::new(at, axis)),

@@ -4,3 +4,4 @@ pub mod forms;
 pub mod growing;
 pub mod hough;
 pub mod painting;
+mod protocols;

@@ -3,15 +3,16 @@
 //!
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
-//!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE]
+//!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE] [--levels SHARE,…]
 //!     [--digits N] [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [--moved]
 //!     [NAME=VALUE]…
 //! ```
 //! DIR holds PC1.txt, PC1_primitives.txt, …; `parts` stands for the catalogue of generated parts and
 //! for combs of narrow grooves ([`comb`]). `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
 //! then, they lose. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
-//! that were not found well, `--diagnose` also says at which stage each was lost. `--moved`
-//! scores nothing, but counts the points whose labels change when the cloud is moved, turned or scaled
+//! that were not found well, `--diagnose` also says at which stage each was lost. `--levels` runs all for each of several
+//! levels of noise, a line each. `--moved`
+//! scores nothing, but counts the points whose labels change when the cloud is moved, turned, scaled or shuffled
 //! ([`moved`]). NAME=VALUE sets a parameter of the fitters.
 
 use std::error::Error;
@@ -43,6 +44,7 @@ struct Options {
     lost: bool,
     diagnose: bool,
     moved: bool,
+    levels: Vec<f64>,
     parameters: Parameters,
 }
 
@@ -70,7 +72,20 @@ struct Row {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let options = Options::read(std::env::args().skip(1))?;
+    let mut options = Options::read(std::env::args().skip(1))?;
+    let mut measured = false;
+    for level in std::mem::take(&mut options.levels) {
+        options.stress.noise = level;
+        let rows = wanted(&options)?.map(|model| run(&options, model?));
+        let rows = rows.collect::<Result<Vec<Row>, _>>()?;
+        let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
+        let mean = seconds / rows.len().max(1) as f64;
+        println!("noise {level}: {}, {mean:.3} s a cloud", means(&rows));
+        measured = true;
+    }
+    if measured {
+        return Ok(());
+    }
     if let (true, Finder::Method(method)) = (options.moved, options.finder) {
         return compare(&options, method);
     }
@@ -121,6 +136,7 @@ impl Options {
             lost: false,
             diagnose: false,
             moved: false,
+            levels: Vec::new(),
             parameters: Parameters::default(),
         };
         while let Some(argument) = arguments.next() {
@@ -144,6 +160,12 @@ impl Options {
                 "--drop" => options.stress.drop = value()?.parse()?,
                 "--turn" => options.stress.turn = true,
                 "--noise" => options.stress.noise = value()?.parse()?,
+                "--levels" => {
+                    options.levels = value()?
+                        .split(',')
+                        .map(str::parse)
+                        .collect::<Result<_, _>>()?;
+                }
                 "--digits" => options.stress.digits = Some(value()?.parse()?),
                 "--outliers" => options.stress.outliers = value()?.parse()?,
                 "--missing" => options.stress.missing = value()?.parse()?,
@@ -308,7 +330,7 @@ fn lost(report: &Report) -> Vec<String> {
     };
     let rows = report.primitives.iter();
     rows.filter_map(|row| {
-        let dsc = row.classification.dsc.unwrap_or(0.0);
+        let dsc = row.classification[Measure::Dsc].unwrap_or(0.0);
         (dsc < 0.9).then(|| {
             let kind = row.kind.map_or("?", |kind| kind.name());
             let matched = row.matched.map_or("nothing".to_owned(), found);
@@ -342,22 +364,29 @@ impl std::fmt::Display for Row {
     }
 }
 
-fn summarise(rows: &mut [Row]) {
-    if rows.is_empty() {
-        println!("no model with a ground truth");
-        return;
-    }
-    let count = rows.len() as f64;
+/// How well the models were found, on average.
+fn means(rows: &[Row]) -> String {
+    let count = rows.len().max(1) as f64;
     let mean = |value: fn(&Row) -> f64| rows.iter().map(value).sum::<f64>() / count;
     let right: usize = rows.iter().map(|row| row.types_right).sum();
     let types: usize = rows.iter().map(|row| row.types).sum();
-    println!(
+    format!(
         "{} models: mean DSC {:.4}, from the prediction's side {:.4}, types right {:.4}",
         rows.len(),
         mean(|row| row.dsc),
         mean(|row| row.prediction_dsc),
         right as f64 / types.max(1) as f64,
-    );
+    )
+}
+
+fn summarise(rows: &mut [Row]) {
+    if rows.is_empty() {
+        println!("no model with a ground truth");
+        return;
+    }
+    println!("{}", means(rows));
+    let count = rows.len() as f64;
+    let mean = |value: fn(&Row) -> f64| rows.iter().map(value).sum::<f64>() / count;
     println!(
         "mean MFE {:.2e}, dHaus {:.2e}, d1 {:.2e}",
         mean(|row| row.mfe),

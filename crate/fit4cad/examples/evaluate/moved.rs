@@ -1,5 +1,5 @@
-//! Whether an answer stays with the points when they are moved, turned and scaled: none of these
-//! changes what a cloud shows.
+//! Whether an answer stays with the points when they are moved, turned, scaled and listed in another
+//! order: none of these changes what a cloud shows.
 
 use std::error::Error;
 
@@ -7,6 +7,7 @@ use fit4cad::cloud::{Cloud, Point};
 use fit4cad::fit::{self, Method, Parameters};
 use fit4cad::metrics::agreement::changed;
 use fit4cad::model::Segmentation;
+use fit4cad::random::Random;
 use nalgebra::{Similarity3, Translation3, UnitQuaternion};
 
 /// Share of the points whose labels may change.
@@ -31,7 +32,11 @@ fn similarity(diagonal: f64, away: f64, turn: f64, scale: f64) -> Similarity3<f6
     )
 }
 
-/// Shares of the points of a model whose labels change with each motion, and with another seed.
+/// What is done beside the motions.
+const OTHERS: [&str; 2] = ["shuffled", "seed"];
+
+/// Shares of the points of a model whose labels change with each motion, when the points are shuffled,
+/// and with another seed.
 pub struct Row {
     name: String,
     changes: Vec<f64>,
@@ -57,6 +62,17 @@ pub fn run(
         let other = fitted(&Cloud::new(points), seed)?;
         changes.push(share(cloud.len(), &still, &other));
     }
+    let mut order: Vec<u32> = (0u32..).take(cloud.len()).collect();
+    Random::new(seed, 1).shuffle(&mut order);
+    let points = order.iter().map(|&i| cloud.points()[i as usize]);
+    let mut shuffled = fitted(&Cloud::new(points.collect()), seed)?;
+    for primitive in &mut shuffled.primitives {
+        for index in &mut primitive.points {
+            *index = order[*index as usize];
+        }
+        primitive.points.sort_unstable();
+    }
+    changes.push(share(cloud.len(), &still, &shuffled));
     changes.push(share(cloud.len(), &still, &fitted(cloud, seed + 1)?));
     Ok(Row {
         name: name.to_owned(),
@@ -82,17 +98,17 @@ impl std::fmt::Display for Row {
 /// The head of the table.
 pub fn head() -> String {
     let mut head = "model   ".to_owned();
-    for (name, _) in MOTIONS {
+    for name in MOTIONS.iter().map(|(name, _)| name).chain(&OTHERS) {
         head += &format!(" {name:>8}");
     }
-    head + "     seed   % of the points with other labels"
+    head + "   % of the points with other labels"
 }
 
 /// Mean, worst, and how many are more than few, of each column.
 pub fn summarise(rows: &[Row]) {
     let column = |place: usize| rows.iter().map(move |row| 100.0 * row.changes[place]);
     let line = |name: &str, of: &dyn Fn(usize) -> String| {
-        let cells = (0..=MOTIONS.len()).map(|place| format!(" {:>8}", of(place)));
+        let cells = (0..MOTIONS.len() + OTHERS.len()).map(|place| format!(" {:>8}", of(place)));
         println!("{name:8}{}", cells.collect::<String>());
     };
     line("mean", &|place| {

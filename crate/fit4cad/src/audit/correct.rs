@@ -1,7 +1,7 @@
 //! Replacing forms that are wrong by conversions of those that are right.
 
 use super::forms::{self, Measured, MeasuredForm};
-use super::judge::{Verdict, without};
+use super::verdict::{Verdict, without};
 use crate::model::{Coefficients, Model, Primitive, Segmentation};
 use crate::surface::{Conversion, Form, Surface};
 

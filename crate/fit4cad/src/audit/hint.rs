@@ -2,7 +2,7 @@
 
 use super::DISTANCE_LIMIT;
 use super::forms::{Measured, MeasuredForm, Patch, is_far};
-use super::judge::Verdict;
+use super::verdict::Verdict;
 use crate::cloud::Cloud;
 use crate::model::{Primitive, Segmentation};
 use crate::surface::{Form, Surface};

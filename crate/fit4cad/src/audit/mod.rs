@@ -15,6 +15,7 @@ mod forms;
 mod hint;
 mod judge;
 mod reading;
+mod verdict;
 
 #[cfg(test)]
 mod tests;

@@ -39,7 +39,10 @@ fn reread(model: &Model, change: impl Fn(Role, String) -> String) -> (Model, Vec
     let truth = model.truth.as_ref().unwrap();
     let texts = [
         (Role::Cloud, write_cloud(&model.cloud)),
-        (Role::Primitives, write_primitives(truth)),
+        (
+            Role::Primitives,
+            write_primitives(truth, model.cloud.numbering()),
+        ),
         (Role::Parametric, write_surfaces(truth, Form::Parametric)),
         (Role::Implicit, write_surfaces(truth, Form::Implicit)),
     ]

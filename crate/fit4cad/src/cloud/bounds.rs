@@ -59,6 +59,33 @@ impl Bounds {
         self.size().norm()
     }
 
+    /// Length of the longest edge; zero for an empty box.
+    pub fn longest_side(&self) -> f64 {
+        self.size().max()
+    }
+
+    /// Squared distance of a point to the nearest of the box; 0 within.
+    pub fn distance_squared_to(&self, point: &Point) -> f64 {
+        let mut sum = 0.0;
+        for axis in 0..3 {
+            let below = self.min[axis] - point[axis];
+            let above = point[axis] - self.max[axis];
+            let outside = below.max(above).max(0.0);
+            sum += outside * outside;
+        }
+        sum
+    }
+
+    /// Distance to another box: 0 where they meet, infinite for an empty one.
+    pub fn gap_to(&self, other: &Self) -> f64 {
+        let apart = |axis: usize| {
+            let below = other.min[axis] - self.max[axis];
+            let above = self.min[axis] - other.max[axis];
+            below.max(above).max(0.0)
+        };
+        Vector::new(apart(0), apart(1), apart(2)).norm()
+    }
+
     /// The middle of the box; the origin for an empty box.
     pub fn centre(&self) -> Point {
         if self.is_empty() {
@@ -78,6 +105,13 @@ mod tests {
         let bounds = Bounds::of(&[Point::new(0.0, 0.0, 0.0), Point::new(1.0, 1.0, 1.0)]);
         assert_eq!(bounds.diagonal(), 3f64.sqrt());
         assert_eq!(bounds.centre(), Point::new(0.5, 0.5, 0.5));
+        assert_eq!(bounds.longest_side(), 1.0);
+        let distance = |x, y, z| bounds.distance_squared_to(&Point::new(x, y, z));
+        assert_eq!(distance(0.2, 0.4, 1.0), 0.0);
+        assert_eq!(distance(-3.0, 0.5, 5.0), 25.0);
+        let other = Bounds::of(&[Point::new(4.0, 0.5, 5.0), Point::new(9.0, 3.0, 6.0)]);
+        assert_eq!((bounds.gap_to(&other), other.gap_to(&bounds)), (5.0, 5.0));
+        assert_eq!(bounds.gap_to(&bounds), 0.0);
     }
 
     #[test]

@@ -2,11 +2,17 @@
 
 mod ball;
 mod bounds;
+mod cells;
 pub mod neighbours;
 pub mod normals;
+mod numbering;
 
 pub use ball::Ball;
 pub use bounds::Bounds;
+pub use cells::Cells;
+pub use numbering::{Numbering, PointNumber};
+
+use nalgebra::{Quaternion, UnitQuaternion};
 
 /// A point in the units of the file it came from.
 pub type Point = nalgebra::Point3<f64>;
@@ -15,22 +21,53 @@ pub type Vector = nalgebra::Vector3<f64>;
 /// A vector of length one.
 pub type Direction = nalgebra::Unit<Vector>;
 
+/// Largest magnitude of a coordinate, radius or offset that is computed with. No formula takes more
+/// than its ninth power (the norm of a torus's implicit coefficients, which are fourth powers, their
+/// squares and a sum), so that whatever is derived from numbers up to here is finite. The diameter
+/// of the universe is 10²⁷ m.
+pub const LARGEST: f64 = 1e30;
+/// Smallest radius that is computed with: as far below 1 as [`LARGEST`] is above.
+pub const SMALLEST: f64 = 1e-30;
+
+/// The turn about an axis by an angle in radians, to the same digits everywhere: nalgebra's own has
+/// its sine from the platform.
+pub fn turn(axis: &Direction, angle: f64) -> UnitQuaternion<f64> {
+    let (sin, cos) = libm::sincos(0.5 * angle);
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, axis.into_inner() * sin))
+}
+
 /// The points of one model, in the order of its file; a point's index is its identity.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cloud {
     points: Vec<Point>,
     /// Kept, because measures ask for it once for every primitive.
     bounds: Bounds,
+    numbering: Numbering,
 }
 
 impl Cloud {
-    /// A cloud of the given points, kept in their order. O(n).
+    /// A cloud of the given points, kept in their order and numbered in it. O(n).
     pub fn new(points: Vec<Point>) -> Self {
-        let bounds = Bounds::of(&points);
-        Self { points, bounds }
+        let numbering = Numbering::of(points.len());
+        Self::numbered(points, numbering)
     }
 
-    /// The points, index 0 being the file's point 1.
+    /// A cloud of the rows of a file that could be read, and the numbers of all. O(n).
+    pub(crate) fn numbered(points: Vec<Point>, numbering: Numbering) -> Self {
+        let bounds = Bounds::of(&points);
+        Self {
+            points,
+            bounds,
+            numbering,
+        }
+    }
+
+    /// What numbers files give the points.
+    pub fn numbering(&self) -> &Numbering {
+        &self.numbering
+    }
+
+    /// The points; [`Cloud::numbering`] tells what number each has in files.
     pub fn points(&self) -> &[Point] {
         &self.points
     }

@@ -64,6 +64,12 @@ impl KdTree {
         self.points.len()
     }
 
+    /// Indices of the points in the order of the leaves: those that follow each other lie near each
+    /// other.
+    pub fn order(&self) -> &[u32] {
+        &self.indices
+    }
+
     /// Whether the tree holds no point.
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
@@ -117,8 +123,8 @@ impl KdTree {
         let middle = start + (end - start) / 2;
         let left = (2 * node + 1, start, middle);
         let right = (2 * node + 2, middle, end);
-        let to_left = distance_squared_to_box(&self.boxes[left.0], search.query);
-        let to_right = distance_squared_to_box(&self.boxes[right.0], search.query);
+        let to_left = self.boxes[left.0].distance_squared_to(search.query);
+        let to_right = self.boxes[right.0].distance_squared_to(search.query);
         let ((near, to_near), (far, to_far)) = if to_right < to_left {
             ((right, to_right), (left, to_left))
         } else {
@@ -243,18 +249,6 @@ fn build(points: &[Point], indices: &mut [u32], node: usize, boxes: &mut [Bounds
     let (left, right) = indices.split_at_mut(middle);
     build(points, left, 2 * node + 1, boxes);
     build(points, right, 2 * node + 2, boxes);
-}
-
-/// Squared distance of a point to the nearest point of a box.
-fn distance_squared_to_box(bounds: &Bounds, point: &Point) -> f64 {
-    let mut sum = 0.0;
-    for axis in 0..3 {
-        let below = bounds.min[axis] - point[axis];
-        let above = point[axis] - bounds.max[axis];
-        let outside = below.max(above).max(0.0);
-        sum += outside * outside;
-    }
-    sum
 }
 
 /// The k nearest neighbours of every point of a cloud. 4 k bytes a point.

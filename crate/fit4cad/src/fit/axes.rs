@@ -52,7 +52,11 @@ pub fn cone(section: &[Point], origin: &Point, axis: &Direction) -> Option<Surfa
     (up.abs() > 1e-6 && out.abs() > 1e-6).then(|| {
         let height = spread.centroid.y - spread.centroid.x * up / out;
         let apex = origin + axis.into_inner() * height;
-        Surface::Cone(Cone::new(apex, axis.into_inner(), (out / up).abs().atan()))
+        Surface::Cone(Cone::new(
+            apex,
+            axis.into_inner(),
+            libm::atan((out / up).abs()),
+        ))
     })
 }
 

@@ -242,7 +242,7 @@ fn tori(curvature: &Curvature, surfaces: &mut Vec<Surface>) {
         let minor = 1.0 / bend.abs();
         let meridian = curvature.directions[tube].into_inner();
         for slope in SLOPES {
-            let (sin, cos) = (slope * std::f64::consts::PI).sin_cos();
+            let (sin, cos) = libm::sincos(slope * std::f64::consts::PI);
             let axis = meridian * cos + normal * sin;
             if turn.abs() > 1e-3 * bend.abs() {
                 let meeting = curvature.point + normal / turn;
@@ -284,7 +284,7 @@ pub fn polish(
     for _ in 0..ROBUST_ROUNDS {
         distances.clear();
         distances.extend(patch.iter().map(|point| surface.distance(point)));
-        let median = super::scale::quantile(&mut distances, 0.5);
+        let median = super::quantile::quantile(&mut distances, 0.5);
         let largest = distances.iter().copied().fold(0.0, f64::max);
         if largest <= tolerance {
             break;

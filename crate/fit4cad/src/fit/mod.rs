@@ -1,7 +1,8 @@
 //! Methods that make a submission from a bare cloud.
 //!
 //! A method differs from another only in how it **finds** surfaces. Everything around that is
-//! shared: [`places`] leave out points that only repeat others; a [`Search`] holds the cloud with
+//! shared: [`places`] leave out points that only repeat others and put the rest in an order of their
+//! own; a [`Search`] holds the cloud with
 //! its neighbours, scale and what is explained so far; a method hands it surfaces that might be
 //! there ([`Search::grow`] polishes one by least squares and grows its patch into a [`Candidate`],
 //! [`Search::best`] lets candidates compete, [`Search::accept`] keeps the winner); [`thin`] proposes
@@ -12,6 +13,9 @@
 //! cloud → Places → Search → hough::find or growing::find → specks → prune → label → patches → Segmentation
 //!                           local::starts → grow → best → accept
 //! ```
+//!
+//! In a cloud whose noise is no small part of the spacing, a handful of points on a surface says nothing.
+//! There both methods leave the cloud to the same [`mod@judge`], and find the same.
 
 pub mod axes;
 pub mod contest;
@@ -19,6 +23,7 @@ pub mod detect;
 pub mod growing;
 pub mod holders;
 pub mod hough;
+pub mod judge;
 pub mod least_squares;
 pub mod local;
 pub mod parameters;
@@ -27,8 +32,10 @@ pub mod profile;
 pub mod progress;
 pub mod pure;
 pub mod quadric;
+mod quantile;
 pub mod scale;
 pub mod search;
+pub mod single;
 pub mod specks;
 pub mod stages;
 pub mod thin;
@@ -40,7 +47,7 @@ pub use scale::Scale;
 pub use search::Search;
 
 use crate::cloud::Cloud;
-use crate::model::Segmentation;
+use crate::model::{Primitive, Segmentation};
 use crate::surface::Surface;
 use places::{Places, Unfolded};
 use trace::Event;
@@ -52,6 +59,49 @@ pub enum Method {
     Hough,
     /// PG: primitive growing from neighbourhoods (paper, section "PG").
     Growing,
+}
+
+impl Method {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Hough, Self::Growing];
+
+    /// Name by which it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Hough => "ht",
+            Self::Growing => "pg",
+        }
+    }
+
+    /// The paper's abbreviation: what submissions made by it are called.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Hough => "HT",
+            Self::Growing => "PG",
+        }
+    }
+
+    /// Its name in full.
+    pub const fn full_name(self) -> &'static str {
+        match self {
+            Self::Hough => "Hough transform",
+            Self::Growing => "primitive growing",
+        }
+    }
+
+    /// How it finds surfaces, in a sentence.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Hough => {
+                "Points vote for surfaces in the space of their parameters; persistent peaks \
+                 become primitives."
+            }
+            Self::Growing => {
+                "Smooth regions grow from neighbourhoods, and slippage tells what surface each \
+                 lies on."
+            }
+        }
+    }
 }
 
 /// A surface that may be one of the cloud's primitives, with the points that speak for it.
@@ -74,7 +124,8 @@ pub struct Fit {
     pub scale: Scale,
 }
 
-/// Fits primitives to a bare cloud. The same cloud, parameters and seed give the same answer.
+/// Fits primitives to a bare cloud. The same points, parameters and seed give the same answer, in
+/// whatever order the points are listed.
 ///
 /// About O(n log n) for a given number of surfaces. Points whose coordinates are not finite stay
 /// unsegmented. The observer may stop the fit; its trace costs nothing when not wanted.
@@ -100,35 +151,56 @@ pub fn fit(
 ) -> Result<Fit, Cancelled> {
     observer.progress(Stage::Prepare, 0.0)?;
     let (places, tree) = Places::of(cloud);
-    let search = Search::over(places.cloud(), tree, parameters, seed);
-    match places.standing_for() {
-        None => fit_places(&places, search, method, observer),
-        Some(standing_for) => {
-            let observer = &mut Unfolded {
-                observer,
-                standing_for,
-            };
-            fit_places(&places, search, method, observer)
-        }
+    let mut search = Search::over(places.cloud(), tree, parameters, seed);
+    let observer = &mut Unfolded {
+        observer,
+        standing_for: places.standing_for(),
+    };
+    let is_noisy = judge::is_for(&search.scale, places.cloud().len());
+    let noise = is_noisy.then(|| judge::measure(places.cloud().points(), &search.tree));
+    let noise = noise.flatten();
+    if let Some(noise) = noise {
+        search.scale = search.scale.with_noise(noise, parameters.tolerance);
     }
-}
-
-fn fit_places(
-    places: &Places<'_>,
-    mut search: Search<'_>,
-    method: Method,
-    observer: &mut dyn Observer,
-) -> Result<Fit, Cancelled> {
     let scale = search.scale;
     if observer.wants_trace() {
         observer.trace(Event::Scale(scale));
     }
-    find(&mut search, method, observer)?;
-    let found = stages::finish(&search, observer)?;
+    let found = if noise.is_some() {
+        judged(&search, seed, observer)?
+    } else if is_noisy {
+        // The points fill space.
+        observer.progress(Stage::Patches, 1.0)?;
+        Segmentation::default()
+    } else {
+        find(&mut search, method, observer)?;
+        stages::finish(&search, observer)?
+    };
     Ok(Fit {
         segmentation: places.unfold(&search, found),
         scale,
     })
+}
+
+/// The faces of a noisy cloud, as primitives.
+fn judged(
+    search: &Search<'_>,
+    seed: u64,
+    observer: &mut dyn Observer,
+) -> Result<Segmentation, Cancelled> {
+    let faces = judge::judge(search, seed, observer)?;
+    if observer.wants_trace() {
+        for face in &faces {
+            observer.trace(Event::Accepted {
+                surface: face.surface,
+                support: face.points.clone(),
+            });
+        }
+    }
+    observer.progress(Stage::Patches, 1.0)?;
+    let primitives = faces.into_iter();
+    let primitives = primitives.map(|face| Primitive::on(face.surface, 0, face.points));
+    Ok(stages::ranked(primitives.collect()))
 }
 
 /// Finds surfaces by a method: what [`fit`] does before the [`stages`] that all methods share. They

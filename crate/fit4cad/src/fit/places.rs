@@ -6,18 +6,22 @@
 //! nothing about how far apart the points of a face are. So the copies are left out of the fit, and
 //! get their labels from what was found without them. So are points whose coordinates are not finite,
 //! without any label.
+//!
+//! The places are in an order of their own, so that a fit does not hang on how a file lists them.
 
+mod order;
 mod unfolded;
 
 pub use unfolded::Unfolded;
 
 use super::holders::Holders;
-use super::scale::quantile;
+use super::quantile::quantile;
 use super::{Search, stages};
 use crate::cloud::neighbours::KdTree;
 use crate::cloud::normals::Spread;
 use crate::cloud::{Cloud, Point};
 use crate::model::Segmentation;
+use crate::surface::Surface;
 
 /// Points whose surroundings are looked at.
 const LOOKED_AT: usize = 120;
@@ -32,12 +36,12 @@ const BEYOND: usize = 8;
 /// a foil.
 const OFF: f64 = 0.8;
 
-/// The points of a cloud that a fit is made of.
+/// The points of a cloud that a fit is made of, in an order that is theirs: however the cloud lists
+/// its points, and wherever it stands, a fit finds the same.
 #[derive(Debug, Clone)]
 pub struct Places<'a> {
     all: &'a Cloud,
-    /// `None` where these are all points.
-    kept: Option<Kept>,
+    kept: Kept,
 }
 
 /// Some points of a cloud.
@@ -49,41 +53,35 @@ struct Kept {
 }
 
 impl<'a> Places<'a> {
-    /// Leaves out the points that repeat others, and their tree. O(n log n).
+    /// Leaves out the points that repeat others, puts the rest in order, and makes their tree.
+    /// O(n log n).
     pub fn of(all: &'a Cloud) -> (Self, KdTree) {
         let mut kept = distinct(all.points());
-        let mut tree = KdTree::new(kept.as_ref().map_or(all, |kept| &kept.cloud).points());
-        let points = kept.as_ref().map_or(all, |kept| &kept.cloud).points();
-        if let Some(radius) = reach_of_copies(points, &tree) {
-            let apart = apart(points, &tree, radius);
-            let both = match kept {
-                Some(first) => first.then(apart),
-                None => apart,
-            };
-            tree = KdTree::new(both.cloud.points());
-            kept = Some(both);
+        let mut tree = KdTree::new(kept.cloud.points());
+        if let Some(radius) = reach_of_copies(kept.cloud.points(), &tree) {
+            let apart = apart(kept.cloud.points(), &tree, radius);
+            kept = kept.then(apart);
+            tree = KdTree::new(kept.cloud.points());
         }
         (Self { all, kept }, tree)
     }
 
     /// The points that the fit is made of.
     pub fn cloud(&self) -> &Cloud {
-        self.kept.as_ref().map_or(self.all, |kept| &kept.cloud)
+        &self.kept.cloud
     }
 
     /// The position in [`cloud`](Self::cloud) of the point that stands for each point of the whole
-    /// cloud, `u32::MAX` for none; `None` where each stands for itself.
-    pub fn standing_for(&self) -> Option<&[u32]> {
-        self.kept.as_ref().map(|kept| kept.place.as_slice())
+    /// cloud, `u32::MAX` for none.
+    pub fn standing_for(&self) -> &[u32] {
+        &self.kept.place
     }
 
     /// Turns what was found in [`cloud`](Self::cloud) into what that says about the whole cloud, largest
     /// first. A point that was left out is on those surfaces of the point that stands for it which pass
     /// through itself too; where none does, on those of the nearest neighbour that has such.
     pub fn unfold(&self, search: &Search<'_>, found: Segmentation) -> Segmentation {
-        let Some(kept) = &self.kept else {
-            return found;
-        };
+        let kept = &self.kept;
         let mut primitives = found.primitives;
         let mut holders = Holders::with_room(kept.cloud.len(), 0);
         for (number, primitive) in (0u32..).zip(&mut primitives) {
@@ -101,9 +99,8 @@ impl<'a> Places<'a> {
                 through.clear();
                 through.extend(holders.of(at).filter(|&number| {
                     let surface = primitives[number as usize].surface;
-                    let is_on =
-                        surface.is_some_and(|it| it.distance(point) <= search.scale.tolerance);
-                    stands_for_itself || is_on
+                    let is_near = |it: Surface| it.distance(point) <= search.scale.tolerance;
+                    stands_for_itself || surface.is_some_and(is_near)
                 }));
                 if stands_for_itself || !through.is_empty() {
                     break;
@@ -118,25 +115,6 @@ impl<'a> Places<'a> {
 }
 
 impl Kept {
-    /// The points of a cloud of which each point is stood for by the given one.
-    fn new(points: &[Point], stand_in: &[u32]) -> Self {
-        let mut place = vec![u32::MAX; points.len()];
-        let mut kept = Vec::new();
-        for (index, point) in (0u32..).zip(points) {
-            if stand_in[index as usize] == index {
-                place[index as usize] = kept.len() as u32;
-                kept.push(*point);
-            }
-        }
-        for (index, &other) in stand_in.iter().enumerate() {
-            place[index] = place.get(other as usize).copied().unwrap_or(u32::MAX);
-        }
-        Self {
-            cloud: Cloud::new(kept),
-            place,
-        }
-    }
-
     /// Those kept of these.
     fn then(self, next: Self) -> Self {
         let on = |&place: &u32| next.place.get(place as usize).copied();
@@ -148,34 +126,30 @@ impl Kept {
     }
 }
 
-/// The points that are finite and not where an earlier one is; `None` where all are. O(n log n).
-fn distinct(points: &[Point]) -> Option<Kept> {
-    let key = |index: u32| points[index as usize].coords.data.0[0];
-    let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
-    let mut order: Vec<u32> = (0u32..)
-        .zip(points)
-        .filter(|(_, point)| is_finite(point))
-        .map(|(index, _)| index)
+/// The points that are finite, each place once, in [`order`]. O(n log n).
+fn distinct(points: &[Point]) -> Kept {
+    let point = |index: &u32| &points[*index as usize];
+    let mut listed: Vec<u32> = (0u32..).take(points.len()).collect();
+    listed.retain(|index| point(index).iter().all(|x| x.is_finite()));
+    listed.sort_unstable_by(|a, b| order::by_coordinates(point(a), point(b)));
+    let are_equal = |a: &u32, b: &u32| order::by_coordinates(point(a), point(b)).is_eq();
+    let copies: Vec<&[u32]> = listed.chunk_by(are_equal).collect();
+    // The negative zero is no other place than zero.
+    let once: Vec<Point> = copies
+        .iter()
+        .map(|it| point(&it[0]).map(|x| x + 0.0))
         .collect();
-    let by_coordinate = |a: &u32, b: &u32| {
-        let pairs = key(*a).into_iter().zip(key(*b));
-        let first = pairs.map(|(x, y)| (x + 0.0).total_cmp(&(y + 0.0)));
-        first
-            .reduce(std::cmp::Ordering::then)
-            .map_or(a.cmp(b), |it| it.then(a.cmp(b)))
-    };
-    order.sort_unstable_by(by_coordinate);
-    let copies = order.windows(2).any(|it| key(it[0]) == key(it[1]));
-    if order.len() == points.len() && !copies {
-        return None;
-    }
-    let mut stand_in = vec![u32::MAX; points.len()];
-    for equal in order.chunk_by(|&a, &b| key(a) == key(b)) {
-        for &index in equal {
-            stand_in[index as usize] = equal[0];
+    let order = order::along_curve(&once);
+    let mut place = vec![u32::MAX; points.len()];
+    for (position, &at) in (0u32..).zip(&order) {
+        for &index in copies[at as usize] {
+            place[index as usize] = position;
         }
     }
-    Some(Kept::new(points, &stand_in))
+    Kept {
+        cloud: Cloud::new(order.iter().map(|&at| once[at as usize]).collect()),
+        place,
+    }
 }
 
 /// The distance that parts the copies of a point from the others, where most points have copies.
@@ -205,17 +179,31 @@ fn reach_of_copies(points: &[Point], tree: &KdTree) -> Option<f64> {
     (2 * reaches.len() > count).then(|| quantile(&mut reaches, 0.5))
 }
 
-/// Points no two of which are nearer each other than a radius, the first of the cloud first; each of
-/// the others is stood for by one of them within it. O(n log n).
+/// Points no two of which are nearer each other than a radius; each of the others is stood for by one
+/// of them within it. Of copies beside each other those on the same side are kept. O(n log n).
 fn apart(points: &[Point], tree: &KdTree, radius: f64) -> Kept {
     let mut stand_in = vec![u32::MAX; points.len()];
     let mut found = Vec::with_capacity(2);
-    for (index, point) in (0u32..).zip(points) {
+    for index in order::swept(points) {
         let is_kept = |other: u32| stand_in[other as usize] == other;
-        tree.nearest(point, 1, radius, is_kept, &mut found);
+        tree.nearest(&points[index as usize], 1, radius, is_kept, &mut found);
         stand_in[index as usize] = found.first().map_or(index, |nearest| nearest.index);
     }
-    Kept::new(points, &stand_in)
+    let mut place = vec![u32::MAX; points.len()];
+    let mut kept = Vec::new();
+    for (index, &point) in (0u32..).zip(points) {
+        if stand_in[index as usize] == index {
+            place[index as usize] = kept.len() as u32;
+            kept.push(point);
+        }
+    }
+    Kept {
+        cloud: Cloud::new(kept),
+        place: stand_in
+            .iter()
+            .map(|&other| place[other as usize])
+            .collect(),
+    }
 }
 
 #[cfg(test)]

@@ -39,6 +39,16 @@ impl Stage {
             Self::Patches => "patches",
         }
     }
+
+    /// What share of a fit's time it takes, roughly: finding surfaces is nearly all of it. All
+    /// shares make 1.
+    pub const fn share(self) -> f64 {
+        match self {
+            Self::Prepare => 0.1,
+            Self::Find => 0.75,
+            Self::Prune | Self::Label | Self::Patches => 0.05,
+        }
+    }
 }
 
 /// The fit was stopped by its observer.

@@ -99,7 +99,7 @@ impl Quadric {
             along,
         } = self.revolution();
         let apex = across - axis * (self.linear.dot(&axis) / along);
-        let half_angle = (-along / pair).sqrt().atan();
+        let half_angle = libm::atan((-along / pair).sqrt());
         let finite = half_angle.is_finite() && apex.iter().all(|x| x.is_finite());
         finite.then(|| Cone::new(self.origin + apex * self.scale, axis, half_angle))
     }

@@ -2,6 +2,7 @@
 
 mod noise;
 
+use super::quantile::quantile;
 use crate::cloud::neighbours::{KdTree, Neighbourhoods};
 use crate::cloud::{Ball, Cloud, Point};
 
@@ -17,6 +18,8 @@ pub struct Scale {
     pub noise: f64,
     /// Farthest a point may lie from a surface and still be on it.
     pub tolerance: f64,
+    /// Whether the points are off their surfaces because their coordinates were rounded.
+    pub is_rounded: bool,
 }
 
 /// Least noise, in diameters. The benchmark's points lie on their surfaces to 1e-7 of the diameter or
@@ -52,7 +55,8 @@ impl Scale {
     pub fn measure(cloud: &Cloud, tree: &KdTree, graph: &Neighbourhoods, tolerance: f64) -> Self {
         let diameter = Ball::of(cloud.points()).diameter();
         let spacing = spacing(cloud.points(), graph);
-        let noise = noise::noise(cloud.points(), tree, graph, spacing, FLOOR * diameter);
+        let (noise, is_rounded) =
+            noise::noise(cloud.points(), tree, graph, spacing, FLOOR * diameter);
         let estimated = (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing));
         Self {
             diameter,
@@ -63,6 +67,20 @@ impl Scale {
             } else {
                 estimated
             },
+            is_rounded,
+        }
+    }
+
+    /// The scale where the noise is known better; `tolerance` as in [`Scale::measure`].
+    pub fn with_noise(self, noise: f64, tolerance: f64) -> Self {
+        if tolerance > 0.0 {
+            let noise = self.tolerance / NOISY_SIGMAS;
+            return Self { noise, ..self };
+        }
+        Self {
+            noise,
+            tolerance: NOISY_SIGMAS * noise,
+            ..self
         }
     }
 
@@ -98,7 +116,7 @@ impl Scale {
         }
         let share = (2.0 * self.tolerance / self.spacing).clamp(1e-9, 0.5);
         // A small number: the logarithm is at least that of two.
-        (ACCIDENT / share.ln()).ceil() as usize
+        (ACCIDENT / libm::log(share)).ceil() as usize
     }
 
     /// Whether faces without an inside can be told: rows of points are distinct only where the
@@ -125,15 +143,6 @@ fn spacing(points: &[Point], graph: &Neighbourhoods) -> f64 {
         })
         .collect();
     quantile(&mut distances, 0.5)
-}
-
-/// The value below which the given share of the values lie; 0 for none.
-pub(crate) fn quantile(values: &mut [f64], share: f64) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let place = ((values.len() - 1) as f64 * share.clamp(0.0, 1.0)).round() as usize;
-    *values.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use super::thin::curve::is_curve;
 use super::{Candidate, Parameters, Scale};
 use crate::cloud::neighbours::{KdTree, Neighbour, Neighbourhoods};
 use crate::cloud::{Cloud, Point};
+use crate::random::Random;
 use crate::surface::{Surface, SurfaceType};
 use marks::Marks;
 
@@ -32,7 +33,7 @@ pub struct Search<'a> {
     /// What the user asked for.
     pub parameters: Parameters,
     /// The only source of chance: the same seed makes the same choices.
-    pub random: fastrand::Rng,
+    pub random: Random,
     accepted: Vec<Candidate>,
     /// The accepted surface that held each point last.
     holder: Vec<u32>,
@@ -55,7 +56,7 @@ impl<'a> Search<'a> {
             graph,
             scale,
             parameters: *parameters,
-            random: fastrand::Rng::with_seed(seed),
+            random: Random::new(seed, 0),
             accepted: Vec::new(),
             holder: vec![u32::MAX; cloud.len()],
             marks: Marks::of(cloud.len()),

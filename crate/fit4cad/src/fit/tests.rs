@@ -8,6 +8,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::cloud::{Point, Vector};
 use crate::metrics::agreement::changed;
+use crate::random::Random;
 use crate::sample;
 use crate::surface::SurfaceType;
 
@@ -146,22 +147,20 @@ proptest! {
     }
 }
 
+/// As fine as the benchmark's clouds: of a coarser one the bends between the points pass for noise.
 #[test]
 fn a_wavy_sheet_stays_unsegmented() {
-    let points: Vec<Point> = (0..2500)
+    let points: Vec<Point> = (0..10_000)
         .map(|i| {
-            let (x, y) = (f64::from(i % 50), f64::from(i / 50));
-            Point::new(
-                x,
-                y,
-                3.0 * (0.31 * x).sin() * (0.23 * y + 0.01 * x * x / 5.0).cos(),
-            )
+            let (x, y) = (0.5 * f64::from(i % 100), 0.5 * f64::from(i / 100));
+            let wave = (0.31 * x).sin() * (0.23 * y + 0.01 * x * x / 5.0).cos();
+            Point::new(x, y, 3.0 * wave)
         })
         .collect();
     for method in METHODS {
         let found = fitted(&points, method, 1);
         let claimed: usize = found.primitives.iter().map(|p| p.points.len()).sum();
-        assert!(claimed <= 25, "{method:?}: {claimed} of 2500");
+        assert!(claimed <= 100, "{method:?}: {claimed} of 10000");
     }
 }
 
@@ -208,11 +207,11 @@ fn progress_never_goes_back() {
             Ok(())
         }
     }
-    let mut random = fastrand::Rng::with_seed(1);
+    let mut random = Random::new(1, 0);
     let exact = boss_on_a_plate();
     let noisy = exact
         .iter()
-        .map(|p| p + Vector::from_fn(|_, _| 0.03 * (random.f64() - 0.5)))
+        .map(|p| p + Vector::from_fn(|_, _| 0.03 * (random.unit() - 0.5)))
         .collect();
     for points in [exact, noisy] {
         let cloud = Cloud::new(points);

@@ -1,8 +1,11 @@
 //! Collecting what is wrong with one file.
 
-use super::limits::{MAX_FILE_BYTES, MAX_SIMILAR_DIAGNOSTICS};
-use super::scan::{Cursor, Lines, excerpt, is_remark, is_whitespace};
+use super::limits::MAX_SIMILAR_DIAGNOSTICS;
+use super::scan::{Cursor, Lines, excerpt, is_remark, is_whitespace, shortened};
 use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
+
+/// Most characters of what was found. Headers of foreign files can be as long as the file.
+const LONGEST_FOUND: usize = 240;
 
 /// A kind of finding: what is the same each time it occurs.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +23,8 @@ struct Tally {
     message: &'static str,
     count: usize,
     last_shown: usize,
+    /// Whether only the first is shown, and how many there are of how many rows.
+    of_rows: bool,
 }
 
 /// The findings about one file, in the order they were made. Of each kind only the first
@@ -67,6 +72,28 @@ impl<'a> Findings<'a> {
         self.add_with(kind, offset, || (found(), kind.expected.to_owned()));
     }
 
+    /// Adds a finding about a row or line, of which there may be as many as rows: the first is shown,
+    /// the others are counted ([`Findings::finish_rows`]).
+    pub(super) fn add_row(&mut self, kind: &Kind, offset: usize, found: impl FnOnce() -> String) {
+        let last_shown = self.diagnostics.len();
+        if let Some(tally) = self
+            .tallies
+            .iter_mut()
+            .find(|tally| tally.message == kind.message)
+        {
+            tally.count += 1;
+            return;
+        }
+        self.tallies.push(Tally {
+            message: kind.message,
+            count: 1,
+            last_shown,
+            of_rows: true,
+        });
+        let position = Some(self.lines.position(offset));
+        self.push(kind, position, found(), kind.expected.to_owned());
+    }
+
     /// Adds a finding whose expectation differs from case to case.
     pub(super) fn add_with(
         &mut self,
@@ -109,7 +136,7 @@ impl<'a> Findings<'a> {
             file: self.file.to_owned(),
             position,
             message: kind.message.to_owned(),
-            found,
+            found: shortened(&found, LONGEST_FOUND),
             expected,
             hint: kind.hint.to_owned(),
         });
@@ -136,6 +163,7 @@ impl<'a> Findings<'a> {
                     message: kind.message,
                     count: 1,
                     last_shown: next,
+                    of_rows: false,
                 });
                 true
             }
@@ -143,8 +171,25 @@ impl<'a> Findings<'a> {
     }
 
     /// The findings; where some of a kind were left out, the last one shown says how many.
-    pub(super) fn finish(mut self) -> Vec<Diagnostic> {
+    pub(super) fn finish(self) -> Vec<Diagnostic> {
+        self.finish_rows(0)
+    }
+
+    /// As [`Findings::finish`]; a finding about rows says how many of all it is about.
+    pub(super) fn finish_rows(mut self, rows: usize) -> Vec<Diagnostic> {
         for tally in &self.tallies {
+            if tally.of_rows {
+                let first = self.diagnostics.get_mut(tally.last_shown);
+                if let (2.., Some(first)) = (tally.count, first) {
+                    let of = if rows > 0 {
+                        format!("{} of {rows} rows", tally.count)
+                    } else {
+                        format!("{} lines", tally.count)
+                    };
+                    first.message = format!("{} ({of}, this is the first)", first.message);
+                }
+                continue;
+            }
             let more = tally.count.saturating_sub(MAX_SIMILAR_DIAGNOSTICS);
             if let (1.., Some(last)) = (more, self.diagnostics.get_mut(tally.last_shown)) {
                 last.message = format!("{}; {more} more like this in the file", last.message);
@@ -154,20 +199,6 @@ impl<'a> Findings<'a> {
     }
 }
 
-const TOO_LARGE: Kind = Kind {
-    subject: Subject::File,
-    severity: Severity::Error,
-    message: "The file is too large and was not read",
-    expected: "at most 512 MiB",
-    hint: "Thin the cloud or split the file",
-};
-const UTF_16: Kind = Kind {
-    subject: Subject::File,
-    severity: Severity::Error,
-    message: "The file is UTF-16 text and was not read",
-    expected: "ASCII or UTF-8",
-    hint: "Save it again with the encoding UTF-8",
-};
 const NOT_TEXT: Kind = Kind {
     subject: Subject::File,
     severity: Severity::Error,
@@ -184,19 +215,8 @@ pub(super) fn open<'a>(
 ) -> Result<(Findings<'a>, Cursor<'a>), Vec<Diagnostic>> {
     let mut findings = Findings::new(file, bytes);
     let mut cursor = Cursor::new(bytes);
-    if bytes.len() > MAX_FILE_BYTES {
-        findings.add_whole(&TOO_LARGE, format!("{} MiB", bytes.len() >> 20));
-        return Err(findings.finish());
-    }
     match bytes {
         [0xEF, 0xBB, 0xBF, ..] => cursor.at = 3,
-        [0xFF, 0xFE, ..]
-        | [0xFE, 0xFF, ..]
-        | [0, 1..=0x7F, 0, ..]
-        | [1..=0x7F, 0, 1..=0x7F, 0, ..] => {
-            findings.add_whole(&UTF_16, String::new());
-            return Err(findings.finish());
-        }
         [b'P', b'K', 3, 4, ..] | [0x1F, 0x8B, ..] | [0x89, b'P', b'N', b'G', ..] => {
             findings.add_whole(&NOT_TEXT, "binary data".to_owned());
             return Err(findings.finish());

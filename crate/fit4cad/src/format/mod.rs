@@ -1,16 +1,24 @@
-//! The four text files of a model: reading, writing and grouping them.
+//! The files of a model: reading, writing and grouping them.
 
 mod assemble;
 mod cloud;
+mod counting;
+mod encoding;
 mod entry;
+mod files;
 mod findings;
+pub mod foreign;
 pub mod group;
+mod labels;
 pub mod limits;
 mod number;
-mod numbering;
+mod paths;
 mod primitives;
 mod read;
+mod readers;
 mod scan;
+mod segments;
+mod shrec;
 mod surfaces;
 mod write;
 
@@ -18,10 +26,14 @@ mod write;
 mod tests;
 
 pub use assemble::{Named, assemble};
-pub use cloud::{CloudText, read_cloud};
+pub use cloud::{CloudFile, read_cloud};
+pub use files::{FILE_KINDS, FileKind, Holds};
 pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
-pub use numbering::{Numbering, PointNumber};
+pub use labels::Segment;
+pub use paths::{Layout, file_name, path_of};
 pub use primitives::{PointList, read_primitives};
-pub use read::{Role, SourceFile, read_model};
+pub use read::{Reading, Role, Source, SourceFile, read_files, read_model};
+pub use readers::{Readers, Taken};
+pub use shrec::{read_answer, write_answer};
 pub use surfaces::{SurfaceEntry, SurfaceFile, read_surfaces};
 pub use write::{write_cloud, write_primitives, write_surfaces};

@@ -1,11 +1,12 @@
 //! Reading `PCi_primitives.txt`: one `PrimitiveK:=[i1 i2 …];` per primitive.
 
+use super::encoding;
 use super::entry::{NOT_CLOSED, at_keyword, next_header};
 use super::findings::{Findings, Kind, is_blank, open};
 use super::limits::MAX_INDICES;
 use super::number;
-use super::numbering::{Numbering, PointNumber};
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
+use crate::cloud::{Numbering, PointNumber};
 use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
 
 /// One entry of a primitives file.
@@ -29,6 +30,17 @@ pub fn read_primitives(
     bytes: &[u8],
     numbering: &Numbering,
 ) -> (Vec<PointList>, Vec<Diagnostic>) {
+    read_counted(file, bytes, numbering, 1)
+}
+
+/// As [`read_primitives`], of a file whose indices count from 0 or 1.
+pub(super) fn read_counted(
+    file: &str,
+    bytes: &[u8],
+    numbering: &Numbering,
+    first: u8,
+) -> (Vec<PointList>, Vec<Diagnostic>) {
+    let bytes = &*encoding::utf8(bytes);
     let (mut findings, mut cursor) = match open(file, bytes) {
         Ok(opened) => opened,
         Err(diagnostics) => return (Vec::new(), diagnostics),
@@ -40,6 +52,7 @@ pub fn read_primitives(
     }
     let mut reader = ListReader {
         numbering,
+        before: u64::from(first == 0),
         last_listed_by: vec![0; numbering.rows()],
         lists: 0,
         indices: 0,
@@ -100,7 +113,7 @@ const OUTSIDE: Kind = Kind {
     severity: Severity::Error,
     message: "A primitive lists a point that the cloud does not have",
     expected: "",
-    hint: "Indices count from 1; check that the file belongs to this cloud",
+    hint: "Check that the file belongs to this cloud, and from what its indices count",
 };
 const BROKEN_POINT: Kind = Kind {
     subject: Subject::Index,
@@ -134,6 +147,8 @@ const TOO_MANY: Kind = Kind {
 /// Reads the lists of one file.
 struct ListReader<'n> {
     numbering: &'n Numbering,
+    /// What to add to an index for the number of its row.
+    before: u64,
     /// For each index of the cloud the list (from 1) that named it last, to find repetitions as
     /// they are read.
     last_listed_by: Vec<u32>,
@@ -232,7 +247,7 @@ impl ListReader<'_> {
             }
         }
         self.indices += 1;
-        match self.numbering.resolve(number) {
+        match self.numbering.resolve(number.saturating_add(self.before)) {
             PointNumber::Index(index) => {
                 let last = self.last_listed_by.get_mut(index as usize)?;
                 if *last == self.lists {
@@ -247,9 +262,10 @@ impl ListReader<'_> {
                 None
             }
             PointNumber::Outside => {
-                let rows = self.numbering.rows();
+                let (rows, before) = (self.numbering.rows() as u64, self.before);
                 findings.add_with(&OUTSIDE, at, || {
-                    (scan::token(bytes, at), format!("1 to {rows}"))
+                    let range = format!("{} to {}", 1 - before, rows.saturating_sub(before));
+                    (scan::token(bytes, at), range)
                 });
                 None
             }

@@ -1,12 +1,18 @@
 //! Reading all files of one model.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::assemble::{Named, assemble};
-use super::cloud::{CloudText, read_cloud};
-use super::numbering::Numbering;
-use super::primitives::read_primitives;
+use super::cloud::{CloudFile, read_own};
+use super::counting;
+use super::foreign::Purpose;
+use super::labels::Segment;
+use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
+use super::primitives::{PointList, read_counted};
+use super::readers::{Readers, Taken};
 use super::surfaces::{SurfaceFile, read_surfaces};
+use crate::cloud::Cloud;
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::model::{Model, Segmentation};
 use crate::surface::Form;
@@ -24,7 +30,63 @@ pub enum Role {
     Implicit,
 }
 
-/// One file of a model.
+impl Role {
+    /// All four.
+    pub const ALL: [Self; 4] = [
+        Self::Cloud,
+        Self::Primitives,
+        Self::Parametric,
+        Self::Implicit,
+    ];
+
+    /// The word for it in the names of files and folders; files of clouds go without.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Cloud => "cloud",
+            Self::Primitives => "primitives",
+            Self::Parametric => "parametric",
+            Self::Implicit => "implicit",
+        }
+    }
+
+    /// What such a file holds.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Cloud => "the cloud",
+            Self::Primitives => "which points make up each primitive",
+            Self::Parametric => "each primitive's surface, parametric form",
+            Self::Implicit => "each primitive's surface, implicit form",
+        }
+    }
+}
+
+/// One file of a model. Its content is asked for when its turn comes, and let go afterwards.
+pub trait Source {
+    /// Path, for the diagnostics.
+    fn path(&self) -> &str;
+
+    /// What it holds.
+    fn role(&self) -> Role;
+
+    /// The method whose result it is; `None` for the cloud and the ground truth.
+    fn method(&self) -> Option<&str>;
+
+    /// What the indices of points in it count from: 1, as the benchmark's do, or 0.
+    fn first(&self) -> u8 {
+        1
+    }
+
+    /// Bytes of its content; known before it is asked for, so that too much never is.
+    fn size(&self) -> u64;
+
+    /// Its content.
+    ///
+    /// # Errors
+    /// Why it cannot be had, in words for the reader.
+    fn content(&self) -> Result<Cow<'_, [u8]>, String>;
+}
+
+/// A file whose content is in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SourceFile<'a> {
     /// Path, for the diagnostics.
@@ -37,54 +99,113 @@ pub struct SourceFile<'a> {
     pub bytes: &'a [u8],
 }
 
-/// Reads a model from its files, in whatever order they come. Linear in their length.
+impl Source for SourceFile<'_> {
+    fn path(&self) -> &str {
+        self.path
+    }
+
+    fn role(&self) -> Role {
+        self.role
+    }
+
+    fn method(&self) -> Option<&str> {
+        self.method
+    }
+
+    fn size(&self) -> u64 {
+        self.bytes.len() as u64
+    }
+
+    fn content(&self) -> Result<Cow<'_, [u8]>, String> {
+        Ok(Cow::Borrowed(self.bytes))
+    }
+}
+
+/// What reading the files of a model gave.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Reading {
+    /// The model.
+    pub model: Model,
+    /// Whatever is wrong with its files.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Whose segmentations say which points belong together and not on what surfaces, as labels do:
+    /// names of methods, `None` for the truth.
+    pub bare: Vec<Option<String>>,
+    /// Whether there is a file that the reader of other programs' files left for later.
+    pub unread: bool,
+}
+
+/// Reads a model from its files, those of other programs among them: see [`read_files`].
+pub fn read_model<S: Source>(name: &str, files: &[S]) -> (Model, Vec<Diagnostic>) {
+    let Reading {
+        model, diagnostics, ..
+    } = read_files(name, files, &Readers::ALL);
+    (model, diagnostics)
+}
+
+/// Reads a model from its files, in whatever order they come: the cloud, the truth, then the methods
+/// by name. Linear in their length; one content at a time is held.
+///
+/// What a file holds is told by its content: a cloud may come with the segments of the truth; those of
+/// a truth or a method may be the benchmark's lists, a label a row, or the same points with labels
+/// or groups. Files that are not the benchmark's own are left to `readers`.
 ///
 /// Whatever is wrong is among the diagnostics and the rest is used; without points there is
-/// nothing to refer to, and no other file is read.
-pub fn read_model(name: &str, files: &[SourceFile<'_>]) -> (Model, Vec<Diagnostic>) {
-    let mut diagnostics = Vec::new();
-    let mut clouds = files.iter().filter(|file| file.role == Role::Cloud);
+/// nothing to refer to, and no other file is read. Nor is one larger than [`MAX_FILE_BYTES`], or
+/// with which the model came to more than [`MAX_MODEL_BYTES`].
+pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Reading {
+    let mut reader = Reader::default();
     let mut model = Model {
         name: name.to_owned(),
         ..Model::default()
     };
+    let mut clouds = files.iter().filter(|file| file.role() == Role::Cloud);
     let Some(cloud) = clouds.next() else {
-        let file = files.first().map_or(name, |file| file.path);
-        diagnostics.push(whole_file(
+        let file = files.first().map_or(name, Source::path);
+        reader.diagnostics.push(whole_file(
             file,
             "There is no file of points for this model",
+            "",
             &format!("{name}.txt"),
             "Add the cloud the primitives were found in",
         ));
-        return (model, diagnostics);
+        return reader.finish(model);
     };
     for other in clouds {
-        diagnostics.push(second(other.path, cloud.path));
+        reader.diagnostics.push(second(other.path(), cloud.path()));
     }
-    let (CloudText { cloud, numbering }, findings) = read_cloud(cloud.path, cloud.bytes);
-    diagnostics.extend(findings);
-    model.cloud = cloud;
+    let content = reader.read(cloud, |path, bytes| cloud_of(path, bytes, readers));
+    let (file, unread) = content.unwrap_or_default();
+    reader.unread |= unread;
+    model.cloud = file.cloud;
 
     // Truth (no method) sorts first.
-    let mut methods: BTreeMap<Option<&str>, Files<'_>> = BTreeMap::new();
+    let mut methods: BTreeMap<Option<&str>, Files<'_, S>> = BTreeMap::new();
     for file in files {
-        let of_method = methods.entry(file.method).or_default();
-        let slot = match file.role {
+        let of_method = methods.entry(file.method()).or_default();
+        let slot = match file.role() {
             Role::Cloud => continue,
             Role::Primitives => &mut of_method.primitives,
             Role::Parametric => &mut of_method.parametric,
             Role::Implicit => &mut of_method.implicit,
         };
         match slot {
-            Some(first) => diagnostics.push(second(file.path, first.path)),
-            None => *slot = Some(*file),
+            Some(first) => reader.diagnostics.push(second(file.path(), first.path())),
+            None => *slot = Some(file),
         }
     }
     if model.cloud.is_empty() {
-        return (model, diagnostics);
+        return reader.finish(model);
+    }
+    // The cloud's own segments are the truth, where no file of the truth's says otherwise.
+    if let Some(segments) = file.segments {
+        let of_truth = methods.entry(None).or_default();
+        if of_truth.primitives.is_none() {
+            of_truth.own = Some((cloud.path(), segments));
+        }
     }
     for (method, files) in methods {
-        let Some(segmentation) = files.read(&numbering, &mut diagnostics) else {
+        let Some(segmentation) = files.read(&model.cloud, method, readers, &mut reader) else {
             continue;
         };
         match method {
@@ -92,74 +213,259 @@ pub fn read_model(name: &str, files: &[SourceFile<'_>]) -> (Model, Vec<Diagnosti
             Some(method) => model.submit(method, segmentation),
         }
     }
-    (model, diagnostics)
+    reader.finish(model)
+}
+
+/// What a file of segments holds.
+enum Found {
+    /// Lists in the benchmark's form.
+    Lists(Vec<PointList>),
+    /// Segments of another form, which no surface files go with.
+    Segments(Vec<Segment>),
+    /// Nothing that could be used; the findings say why.
+    Nothing,
+    /// Nothing yet.
+    Later,
+}
+
+/// The cloud of a file, and whether it was left for later.
+fn cloud_of(path: &str, bytes: &[u8], readers: &Readers) -> ((CloudFile, bool), Vec<Diagnostic>) {
+    match (readers.cloud)(path, bytes) {
+        Taken::Own => {
+            let (file, findings) = read_own(path, bytes);
+            ((file, false), findings)
+        }
+        Taken::Later => ((CloudFile::default(), true), Vec::new()),
+        Taken::Read(file, findings) => ((file, false), findings),
+    }
+}
+
+/// Reads files of one model while they are within the limits, and keeps what is wrong.
+#[derive(Default)]
+struct Reader {
+    bytes: u64,
+    diagnostics: Vec<Diagnostic>,
+    bare: Vec<Option<String>>,
+    unread: bool,
+}
+
+impl Reader {
+    fn finish(self, model: Model) -> Reading {
+        Reading {
+            model,
+            diagnostics: self.diagnostics,
+            bare: self.bare,
+            unread: self.unread,
+        }
+    }
+
+    /// What `parse` makes of a file's path and content, where it can be had.
+    fn read<'s, S: Source, T>(
+        &mut self,
+        file: &'s S,
+        parse: impl FnOnce(&'s str, &[u8]) -> (T, Vec<Diagnostic>),
+    ) -> Option<T> {
+        let refused = match self.admit(file.size()) {
+            Err((found, expected)) => Refusal::TooLarge(found, expected),
+            Ok(()) => match file.content() {
+                Err(reason) => Refusal::Unreadable(reason),
+                Ok(bytes) => {
+                    let (content, findings) = parse(file.path(), &bytes);
+                    self.diagnostics.extend(findings);
+                    return Some(content);
+                }
+            },
+        };
+        self.diagnostics.push(refused.told_of(file.path()));
+        None
+    }
+
+    /// Counts a file of so many bytes in; says what is too much, and what would not be.
+    fn admit(&mut self, size: u64) -> Result<(), (String, String)> {
+        let mebibytes = |bytes: u64| format!("{} MiB", bytes.div_ceil(1 << 20));
+        if size > MAX_FILE_BYTES {
+            let most = mebibytes(MAX_FILE_BYTES);
+            return Err((mebibytes(size), format!("at most {most}")));
+        }
+        let total = self.bytes + size;
+        if total > MAX_MODEL_BYTES {
+            let most = mebibytes(MAX_MODEL_BYTES);
+            return Err((
+                format!("{} with the model's files before it", mebibytes(total)),
+                format!("at most {most} in all files of a model"),
+            ));
+        }
+        self.bytes = total;
+        Ok(())
+    }
+}
+
+/// Why a file is not read.
+enum Refusal {
+    /// What was found and what would be read.
+    TooLarge(String, String),
+    /// Why its content could not be had.
+    Unreadable(String),
+}
+
+impl Refusal {
+    fn told_of(&self, path: &str) -> Diagnostic {
+        match self {
+            Self::TooLarge(found, expected) => whole_file(
+                path,
+                "The file is too large and was not read",
+                found,
+                expected,
+                "Thin the cloud or split the file",
+            ),
+            Self::Unreadable(reason) => {
+                let message = format!("The file could not be read: {reason}");
+                whole_file(path, &message, "", "", "")
+            }
+        }
+    }
 }
 
 /// The files of one method, or of the truth.
-#[derive(Default)]
-struct Files<'a> {
-    primitives: Option<SourceFile<'a>>,
-    parametric: Option<SourceFile<'a>>,
-    implicit: Option<SourceFile<'a>>,
+struct Files<'a, S> {
+    primitives: Option<&'a S>,
+    parametric: Option<&'a S>,
+    implicit: Option<&'a S>,
+    /// The segments that the cloud's file holds, and its path.
+    own: Option<(&'a str, Vec<Segment>)>,
 }
 
-impl Files<'_> {
+// Derived, it would ask for a default of `S`.
+impl<S> Default for Files<'_, S> {
+    fn default() -> Self {
+        Self {
+            primitives: None,
+            parametric: None,
+            implicit: None,
+            own: None,
+        }
+    }
+}
+
+impl<S: Source> Files<'_, S> {
     fn read(
-        &self,
-        numbering: &Numbering,
-        diagnostics: &mut Vec<Diagnostic>,
+        mut self,
+        cloud: &Cloud,
+        method: Option<&str>,
+        readers: &Readers,
+        reader: &mut Reader,
     ) -> Option<Segmentation> {
+        if let Some((path, segments)) = self.own.take() {
+            return Some(self.join(path, Found::Segments(segments), method, reader));
+        }
         let Some(file) = self.primitives else {
             if let Some(surfaces) = self.parametric.or(self.implicit) {
-                diagnostics.push(whole_file(
-                    surfaces.path,
+                reader.diagnostics.push(whole_file(
+                    surfaces.path(),
                     "There are surfaces but no file of primitives for them",
+                    "",
                     "a file ending in _primitives.txt that lists their points",
                     "Add it",
                 ));
             }
             return None;
         };
-        let (lists, findings) = read_primitives(file.path, file.bytes, numbering);
-        diagnostics.extend(findings);
-        let lists = Named {
-            file: file.path,
-            content: lists,
+        let purpose = match method {
+            None => Purpose::Truth,
+            Some(_) => Purpose::Submission,
         };
-        let parametric = surfaces(self.parametric, Form::Parametric, diagnostics);
-        let implicit = surfaces(self.implicit, Form::Implicit, diagnostics);
-        let (segmentation, findings) = assemble(lists, parametric, implicit);
-        diagnostics.extend(findings);
-        Some(segmentation)
+        let found = reader.read(file, |path, bytes| {
+            match (readers.segments)(path, bytes, cloud, purpose) {
+                Taken::Own => {
+                    let numbering = cloud.numbering();
+                    let (lists, findings) = read_counted(path, bytes, numbering, file.first());
+                    (Found::Lists(lists), findings)
+                }
+                Taken::Later => (Found::Later, Vec::new()),
+                Taken::Read(Some(segments), findings) => (Found::Segments(segments), findings),
+                Taken::Read(None, findings) => (Found::Nothing, findings),
+            }
+        })?;
+        let counted_from_1 = file.first() == 1 && matches!(found, Found::Lists(_));
+        match found {
+            Found::Nothing => None,
+            Found::Later => {
+                reader.unread = true;
+                None
+            }
+            found => {
+                let segmentation = self.join(file.path(), found, method, reader);
+                if counted_from_1 {
+                    let findings = counting::check(file.path(), cloud, &segmentation);
+                    reader.diagnostics.extend(findings);
+                }
+                Some(segmentation)
+            }
+        }
+    }
+
+    /// What was found in a file with the surfaces that go with it.
+    fn join(
+        self,
+        file: &str,
+        found: Found,
+        method: Option<&str>,
+        reader: &mut Reader,
+    ) -> Segmentation {
+        let (content, kinds) = match found {
+            Found::Lists(lists) => (lists, None),
+            Found::Segments(segments) => {
+                if self.parametric.or(self.implicit).is_none() {
+                    reader.bare.push(method.map(str::to_owned));
+                }
+                let kinds: Vec<_> = segments.iter().map(|segment| segment.kind).collect();
+                let lists = segments.into_iter().map(PointList::from).collect();
+                (lists, Some(kinds))
+            }
+            Found::Nothing | Found::Later => (Vec::new(), None),
+        };
+        let lists = Named { file, content };
+        let parametric = surfaces(self.parametric, Form::Parametric, reader);
+        let implicit = surfaces(self.implicit, Form::Implicit, reader);
+        let (mut segmentation, findings) = assemble(lists, parametric, implicit);
+        for (primitive, kind) in segmentation
+            .primitives
+            .iter_mut()
+            .zip(kinds.into_iter().flatten())
+        {
+            primitive.kind = primitive.kind.or(kind);
+        }
+        reader.diagnostics.extend(findings);
+        segmentation
     }
 }
 
-fn surfaces<'a>(
-    file: Option<SourceFile<'a>>,
+fn surfaces<'a, S: Source>(
+    file: Option<&'a S>,
     form: Form,
-    diagnostics: &mut Vec<Diagnostic>,
+    reader: &mut Reader,
 ) -> Named<'a, SurfaceFile> {
-    let Some(SourceFile { path, bytes, .. }) = file else {
-        return Named::default();
-    };
-    let (content, findings) = read_surfaces(path, bytes, form);
-    diagnostics.extend(findings);
-    Named {
-        file: path,
-        content,
-    }
+    let content = file.and_then(|file| {
+        let content = reader.read(file, |path, bytes| read_surfaces(path, bytes, form))?;
+        Some(Named {
+            file: file.path(),
+            content,
+        })
+    });
+    content.unwrap_or_default()
 }
 
 fn second(path: &str, first: &str) -> Diagnostic {
     whole_file(
         path,
         "A second file of the same kind is not read",
+        "",
         "one file of a kind for each method",
         &format!("{first} is used; give them different methods"),
     )
 }
 
-fn whole_file(file: &str, message: &str, expected: &str, hint: &str) -> Diagnostic {
+fn whole_file(file: &str, message: &str, found: &str, expected: &str, hint: &str) -> Diagnostic {
     Diagnostic {
         severity: Severity::Error,
         subject: Subject::File,
@@ -167,7 +473,7 @@ fn whole_file(file: &str, message: &str, expected: &str, hint: &str) -> Diagnost
         file: file.to_owned(),
         position: None,
         message: message.to_owned(),
-        found: String::new(),
+        found: found.to_owned(),
         expected: expected.to_owned(),
         hint: hint.to_owned(),
     }

@@ -168,22 +168,21 @@ pub(super) fn token(bytes: &[u8], at: usize) -> String {
 }
 
 fn quote(text: &str) -> String {
-    let mut quoted = String::from("`");
-    for (count, character) in text.trim_end().chars().enumerate() {
-        if count == EXCERPT_CHARS {
-            quoted.push('…');
-            break;
-        }
-        if character == '\t' {
-            quoted.push(' ');
-        } else if character.is_control() {
-            quoted.push('\u{FFFD}');
-        } else {
-            quoted.push(character);
-        }
+    format!("`{}`", shortened(text.trim_end(), EXCERPT_CHARS))
+}
+
+/// A text, printable and of no more than so many characters.
+pub(super) fn shortened(text: &str, most: usize) -> String {
+    let mut characters = text.chars().map(|character| match character {
+        '\t' => ' ',
+        other if other.is_control() => char::REPLACEMENT_CHARACTER,
+        other => other,
+    });
+    let mut short: String = characters.by_ref().take(most).collect();
+    if characters.next().is_some() {
+        short.push('…');
     }
-    quoted.push('`');
-    quoted
+    short
 }
 
 #[cfg(test)]

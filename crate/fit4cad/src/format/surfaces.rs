@@ -1,6 +1,7 @@
 //! Reading `PCi_parametric.txt` and `PCi_implicit.txt`: one `PrimitiveK:=[Type, [v1 v2 …]];` per
 //! surface.
 
+use super::encoding;
 use super::entry::{NOT_CLOSED, at_keyword, next_header};
 use super::findings::{Findings, Kind, is_blank, open};
 use super::number;
@@ -37,6 +38,7 @@ pub enum SurfaceFile {
 /// An entry whose vector has the wrong length, is all zeros or holds something that is no finite
 /// number is malformed; one of a type outside the five has no usable vector either.
 pub fn read_surfaces(file: &str, bytes: &[u8], form: Form) -> (SurfaceFile, Vec<Diagnostic>) {
+    let bytes = &*encoding::utf8(bytes);
     let (mut findings, mut cursor) = match open(file, bytes) {
         Ok(opened) => opened,
         Err(diagnostics) => return (SurfaceFile::Entries(Vec::new()), diagnostics),

@@ -5,28 +5,33 @@
 
 use std::fmt::Write;
 
-use crate::cloud::Cloud;
+use crate::cloud::{Cloud, Numbering};
 use crate::model::{Coefficients, Segmentation};
-use crate::surface::Form;
+use crate::surface::{Form, OTHER};
 
-/// Type written for a surface outside the five families; nothing reads it but as unknown.
-const OTHER_TYPE: &str = "Other";
+/// What stands for a row that could not be read: again nothing that could be.
+const BROKEN_ROW: [f64; 3] = [f64::NAN; 3];
 
-/// The text of `PCi.txt`. Linear in the number of points.
+/// The text of `PCi.txt`. Linear in the number of rows, of which those that could not be read keep
+/// their places, and with them the points their numbers.
 pub fn write_cloud(cloud: &Cloud) -> String {
     let mut text = String::with_capacity(16 + cloud.len() * 64);
     text.push_str("Points:=[\n");
-    for (at, point) in cloud.points().iter().enumerate() {
-        text.push_str(if at == 0 { "[" } else { ", \n[" });
-        push_numbers(&mut text, point.coords.as_slice(), ", ");
+    let mut points = (0..).zip(cloud.points()).peekable();
+    for number in 1..=cloud.numbering().rows() as u64 {
+        let here = points.next_if(|&(index, _)| cloud.numbering().number(index) == number);
+        text.push_str(if number == 1 { "[" } else { ", \n[" });
+        let row = here.map_or(BROKEN_ROW, |(_, point)| point.coords.into());
+        push_numbers(&mut text, &row, ", ");
         text.push(']');
     }
     text.push_str(" \n ];\n");
     text
 }
 
-/// The text of `PCi_primitives.txt`: point lists, counted from 1. Linear in the points listed.
-pub fn write_primitives(segmentation: &Segmentation) -> String {
+/// The text of `PCi_primitives.txt`: lists of points by their numbers in the cloud's file. Linear in
+/// the points listed.
+pub fn write_primitives(segmentation: &Segmentation, numbering: &Numbering) -> String {
     let listed: usize = segmentation
         .primitives
         .iter()
@@ -39,7 +44,7 @@ pub fn write_primitives(segmentation: &Segmentation) -> String {
             if at > 0 {
                 text.push(' ');
             }
-            let _ = write!(text, "{}", u64::from(index) + 1);
+            let _ = write!(text, "{}", numbering.number(index));
         }
         text.push_str("];\n");
     }
@@ -59,7 +64,7 @@ pub fn write_surfaces(segmentation: &Segmentation, form: Form) -> String {
             Coefficients::Malformed => &[],
             Coefficients::Given(values) => &values[..],
         };
-        let kind = primitive.kind.map_or(OTHER_TYPE, |kind| kind.name());
+        let kind = primitive.kind.map_or(OTHER, |kind| kind.name());
         let _ = write!(text, "Primitive{}:=[{kind}, [", primitive.number);
         push_numbers(&mut text, values, " ");
         text.push_str("]];\n");
@@ -87,7 +92,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::cloud::Point;
+    use crate::cloud::{LARGEST, Point};
     use crate::format::{Role, SourceFile, read_model};
     use crate::model::{Model, Primitive, Submission};
     use crate::surface::{Surface, SurfaceType};
@@ -104,7 +109,10 @@ mod tests {
         let segmentation = Segmentation {
             primitives: vec![plane],
         };
-        assert_eq!(write_primitives(&segmentation), "Primitive1:=[1 3];\n");
+        assert_eq!(
+            write_primitives(&segmentation, &Numbering::of(3)),
+            "Primitive1:=[1 3];\n"
+        );
         assert_eq!(
             write_surfaces(&segmentation, Form::Implicit),
             "Primitive1:=[Plane, [0 0 1 -29.21]];\n"
@@ -132,7 +140,8 @@ mod tests {
             .map(|truth| (None, truth))
             .chain(submissions)
         {
-            texts.push((Role::Primitives, method, write_primitives(segmentation)));
+            let primitives = write_primitives(segmentation, model.cloud.numbering());
+            texts.push((Role::Primitives, method, primitives));
             texts.push((
                 Role::Parametric,
                 method,
@@ -175,6 +184,17 @@ mod tests {
                 1e22,
             ]),
         ]
+    }
+
+    /// Such numbers as far as points are read: what is beyond comes round again.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        awkward().prop_map(|value| {
+            if value.abs() > LARGEST {
+                value % LARGEST
+            } else {
+                value
+            }
+        })
     }
 
     fn coefficients(len: usize) -> impl Strategy<Value = Coefficients> {
@@ -243,10 +263,19 @@ mod tests {
     }
 
     fn model() -> impl Strategy<Value = Model> {
-        let points = prop::collection::vec([awkward(), awkward(), awkward()], 1..40);
-        points.prop_flat_map(|points| {
+        let points = prop::collection::vec([coordinate(), coordinate(), coordinate()], 1..40);
+        let rows = points.prop_flat_map(|points| {
+            let most = points.len();
+            (Just(points), prop::collection::vec(0..=most, 0..4))
+        });
+        rows.prop_flat_map(|(points, mut broken)| {
+            // Rows before so many points, however many there are already.
+            broken.sort_unstable();
+            let broken: Vec<u32> = (0..).zip(broken).map(|(k, row)| row as u32 + k).collect();
+            let numbering = Numbering::with_broken(points.len() + broken.len(), broken);
             let count = points.len() as u32;
-            let cloud = Cloud::new(points.into_iter().map(Point::from).collect());
+            let points = points.into_iter().map(Point::from).collect();
+            let cloud = Cloud::numbered(points, numbering);
             let submissions = (segmentation(count), segmentation(count)).prop_map(|(a, b)| {
                 [("A", a), ("B", b)]
                     .map(|(method, segmentation)| Submission {

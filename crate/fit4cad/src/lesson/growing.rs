@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 use crate::cloud::neighbours::{KdTree, Neighbourhoods};
 use crate::cloud::normals::estimate_normals;
-use crate::cloud::{Cloud, Direction, Point, Vector};
+use crate::cloud::{self, Cloud, Direction, Point, Vector};
 use crate::fit::growing::slippage::{Invariance, Slippage};
 use crate::fit::growing::variation::{Threshold, surface_variation, threshold};
 use crate::fit::growing::{ransac, regions};
@@ -125,7 +125,7 @@ impl Motion {
     pub fn by(&self, amount: f64) -> Isometry3<f64> {
         match self {
             Self::Turn(point, axis) => {
-                let turn = UnitQuaternion::from_axis_angle(axis, amount);
+                let turn = cloud::turn(axis, amount);
                 let back = point - turn * point.coords;
                 Isometry3::from_parts(Translation3::from(back.coords), turn)
             }

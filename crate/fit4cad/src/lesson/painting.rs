@@ -30,7 +30,7 @@ pub fn niche(rest: u32) -> Model {
             let angle = PI * f64::from(step) / f64::from(around);
             let height = HEIGHT * f64::from(row) / f64::from(up);
             let index = points.len() as u32;
-            points.push(Point::new(angle.cos(), angle.sin(), height));
+            points.push(Point::new(libm::cos(angle), libm::sin(angle), height));
             if row == 0 {
                 shared.push(index);
             }
@@ -44,7 +44,7 @@ pub fn niche(rest: u32) -> Model {
             let x = -1.0 + 2.0 * f64::from(column) / f64::from(across);
             let y = f64::from(row) * SPACING;
             // Points nearer to the arc than half a step would double its row.
-            let inside = y <= 0.0 || x.hypot(y) < 1.0 - 0.5 * SPACING;
+            let inside = y <= 0.0 || libm::hypot(x, y) < 1.0 - 0.5 * SPACING;
             if inside && !(y == 0.0 && x.abs() == 1.0) {
                 floor.push(points.len() as u32);
                 points.push(Point::new(x, y, 0.0));
@@ -118,7 +118,7 @@ pub fn painted(model: &Model, lists: &[Vec<u32>], shift: f64) -> Segmentation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::{Protocol, evaluate};
+    use crate::metrics::{Measure, Protocol, evaluate};
 
     fn score(model: &Model, lists: &[Vec<u32>], shift: f64) -> crate::metrics::Report {
         let truth = model.truth.as_ref().unwrap();
@@ -135,8 +135,8 @@ mod tests {
     fn painting_the_truth_scores_perfectly() {
         let model = niche(0);
         let report = score(&model, &truth(&model), 0.0);
-        assert_eq!(report.mean.dsc, Some(1.0));
-        assert!(report.mean.d_haus.unwrap() < 1e-12);
+        assert_eq!(report.mean[Measure::Dsc], Some(1.0));
+        assert!(report.mean[Measure::DHaus].unwrap() < 1e-12);
         let [wall, floor] = &truth(&model)[..] else {
             unreachable!()
         };
@@ -170,9 +170,9 @@ mod tests {
             score(&model, &[half], 0.0).primitives[0].classification
         };
         let (alone, among) = (sloppy(0), sloppy(20_000));
-        assert_eq!(alone.dsc, among.dsc);
-        assert!(alone.acc.unwrap() < 0.7 && among.acc.unwrap() > 0.9);
-        assert!(alone.tnr.unwrap() < 0.6 && among.tnr.unwrap() > 0.9);
+        assert_eq!(alone[Measure::Dsc], among[Measure::Dsc]);
+        assert!(alone[Measure::Acc].unwrap() < 0.7 && among[Measure::Acc].unwrap() > 0.9);
+        assert!(alone[Measure::Tnr].unwrap() < 0.6 && among[Measure::Tnr].unwrap() > 0.9);
     }
 
     #[test]
@@ -181,18 +181,18 @@ mod tests {
         let mut lists = truth(&model);
         let stray = *lists[0].last().unwrap();
         lists[1].push(stray);
-        let floor = score(&model, &lists, 0.0).predictions[1];
-        assert!(floor.d_haus.unwrap() > 0.3);
-        assert!(floor.mfe.unwrap() < 0.002);
+        let floor = score(&model, &lists, 0.0).predictions[1].fit;
+        assert!(floor[Measure::DHaus].unwrap() > 0.3);
+        assert!(floor[Measure::Mfe].unwrap() < 0.002);
     }
 
     #[test]
     fn a_moved_surface_moves_both() {
         let model = niche(0);
         let lists = truth(&model);
-        let floor = score(&model, &lists, 0.05).predictions[1];
-        assert!((floor.mfe.unwrap() - floor.d_haus.unwrap()).abs() < 1e-12);
-        assert!(floor.mfe.unwrap() > 0.01);
+        let floor = score(&model, &lists, 0.05).predictions[1].fit;
+        assert!((floor[Measure::Mfe].unwrap() - floor[Measure::DHaus].unwrap()).abs() < 1e-12);
+        assert!(floor[Measure::Mfe].unwrap() > 0.01);
     }
 
     #[test]

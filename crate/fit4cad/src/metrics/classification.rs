@@ -1,4 +1,4 @@
-//! Performance measures of the point classification (paper, section of that name).
+//! What the performance measures of the point classification (paper, section of that name) count.
 
 /// Points counted for one true primitive 𝒫_B against its matched prediction 𝒫_S.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -26,81 +26,53 @@ impl Counts {
     }
 }
 
-/// The six measures of one true primitive; `None` where a measure is 0/0.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Classification {
-    /// DSC = 2 TP / (2 TP + FP + FN), Sørensen-Dice index.
-    pub dsc: Option<f64>,
-    /// PPV = TP / (TP + FP), positive predictive value.
-    pub ppv: Option<f64>,
-    /// TPR = TP / (TP + FN), true positive rate.
-    pub tpr: Option<f64>,
-    /// TNR = TN / (TN + FP), true negative rate.
-    pub tnr: Option<f64>,
-    /// NPV = TN / (TN + FN), negative predictive value.
-    pub npv: Option<f64>,
-    /// ACC = (TP + TN) / (TP + TN + FP + FN), accuracy.
-    pub acc: Option<f64>,
+/// One of the counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Count {
+    /// TP.
+    TruePositives,
+    /// FP.
+    FalsePositives,
+    /// FN.
+    FalseNegatives,
+    /// TN.
+    TrueNegatives,
 }
 
-impl Classification {
-    /// The measures of the counts.
-    pub fn of(counts: Counts) -> Self {
-        let Counts {
-            true_positives: tp,
-            false_positives: fp,
-            false_negatives: fn_,
-            true_negatives: tn,
-        } = counts;
-        Self {
-            dsc: ratio(2 * tp, 2 * tp + fp + fn_),
-            ppv: ratio(tp, tp + fp),
-            tpr: ratio(tp, tp + fn_),
-            tnr: ratio(tn, tn + fp),
-            npv: ratio(tn, tn + fn_),
-            acc: ratio(tp + tn, tp + tn + fp + fn_),
+impl Count {
+    /// The paper's abbreviation.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::TruePositives => "TP",
+            Self::FalsePositives => "FP",
+            Self::FalseNegatives => "FN",
+            Self::TrueNegatives => "TN",
         }
     }
 
-    /// PPV under the heading of TPR, TNR under that of NPV, and the other way round.
-    pub(super) fn swapped(self) -> Self {
-        Self {
-            ppv: self.tpr,
-            tpr: self.ppv,
-            tnr: self.npv,
-            npv: self.tnr,
-            ..self
+    /// How many there are.
+    pub(super) const fn of(self, counts: Counts) -> usize {
+        match self {
+            Self::TruePositives => counts.true_positives,
+            Self::FalsePositives => counts.false_positives,
+            Self::FalseNegatives => counts.false_negatives,
+            Self::TrueNegatives => counts.true_negatives,
         }
     }
-
-    /// What enters the mean where a measure is 0/0. If the prediction is to blame it is 0, so that
-    /// predicting nothing (PPV) or everything (NPV) never pays; if the truth leaves nothing to
-    /// measure (a primitive that is the whole universe has no negatives) it is left out.
-    pub(super) fn for_mean(self) -> Self {
-        let or_zero = |value: Option<f64>| Some(value.unwrap_or(0.0));
-        // TNR is 0/0 exactly where the truth has no negatives.
-        let has_negatives = self.tnr.is_some();
-        Self {
-            dsc: or_zero(self.dsc),
-            ppv: or_zero(self.ppv),
-            tpr: or_zero(self.tpr),
-            npv: if has_negatives {
-                or_zero(self.npv)
-            } else {
-                self.npv
-            },
-            ..self
-        }
-    }
-}
-
-fn ratio(part: usize, whole: usize) -> Option<f64> {
-    (whole > 0).then(|| part as f64 / whole as f64)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::{Measure, Measures, Protocol};
     use super::*;
+
+    fn by_definition(counts: Counts) -> Measures {
+        Measures::from_fn(|measure| measure.ratio(Protocol::Definition)?.of(counts))
+    }
+
+    fn for_mean(counts: Counts) -> Measures {
+        Measures::from_fn(|measure| measure.ratio(Protocol::Definition)?.for_mean(counts))
+    }
 
     #[test]
     fn the_measures_follow_from_the_counts_by_hand() {
@@ -115,49 +87,57 @@ mod tests {
                 true_negatives: 70
             }
         );
-        let measures = Classification::of(counts);
-        assert_eq!(measures.dsc, Some(30.0 / 45.0));
-        assert_eq!(measures.ppv, Some(15.0 / 25.0));
-        assert_eq!(measures.tpr, Some(15.0 / 20.0));
-        assert_eq!(measures.tnr, Some(70.0 / 80.0));
-        assert_eq!(measures.npv, Some(70.0 / 75.0));
-        assert_eq!(measures.acc, Some(85.0 / 100.0));
+        let measures = by_definition(counts);
+        assert_eq!(measures[Measure::Dsc], Some(30.0 / 45.0));
+        assert_eq!(measures[Measure::Ppv], Some(15.0 / 25.0));
+        assert_eq!(measures[Measure::Tpr], Some(15.0 / 20.0));
+        assert_eq!(measures[Measure::Tnr], Some(70.0 / 80.0));
+        assert_eq!(measures[Measure::Npv], Some(70.0 / 75.0));
+        assert_eq!(measures[Measure::Acc], Some(85.0 / 100.0));
+        assert_eq!(measures[Measure::Mfe], None);
     }
 
     #[test]
-    fn exchanging_prediction_and_truth_exchanges_ppv_with_tpr_and_tnr_with_npv() {
-        let straight = Classification::of(Counts::of_sets(20, 25, 15, 100));
-        let swapped = Classification::of(Counts::of_sets(25, 20, 15, 100));
-        assert_eq!(straight.swapped(), swapped);
-        assert_eq!((straight.ppv, straight.tpr), (swapped.tpr, swapped.ppv));
-        assert_eq!((straight.tnr, straight.npv), (swapped.npv, swapped.tnr));
-        assert_eq!((straight.dsc, straight.acc), (swapped.dsc, swapped.acc));
+    fn exchanging_prediction_and_truth_exchanges_what_is_published_under_another_heading() {
+        let straight = Counts::of_sets(20, 25, 15, 100);
+        let swapped = by_definition(Counts::of_sets(25, 20, 15, 100));
+        for measure in Measure::ALL {
+            let published = measure.ratio(Protocol::Published);
+            let value = published.and_then(|ratio| ratio.of(straight));
+            assert_eq!(value, swapped[measure], "{measure}");
+        }
     }
 
     #[test]
     fn a_primitive_without_match_has_no_ppv_and_it_enters_the_mean_as_zero() {
-        let measures = Classification::of(Counts::of_sets(20, 0, 0, 100));
-        assert_eq!(measures.dsc, Some(0.0));
-        assert_eq!(measures.tpr, Some(0.0));
-        assert_eq!(measures.ppv, None);
-        assert_eq!(measures.tnr, Some(1.0));
-        assert_eq!(measures.npv, Some(0.8));
-        assert_eq!(measures.for_mean().ppv, Some(0.0));
+        let counts = Counts::of_sets(20, 0, 0, 100);
+        let measures = by_definition(counts);
+        assert_eq!(measures[Measure::Dsc], Some(0.0));
+        assert_eq!(measures[Measure::Tpr], Some(0.0));
+        assert_eq!(measures[Measure::Ppv], None);
+        assert_eq!(measures[Measure::Tnr], Some(1.0));
+        assert_eq!(measures[Measure::Npv], Some(0.8));
+        assert_eq!(for_mean(counts)[Measure::Ppv], Some(0.0));
     }
 
     #[test]
     fn predicting_everything_has_no_npv_and_it_enters_the_mean_as_zero() {
-        let measures = Classification::of(Counts::of_sets(20, 100, 20, 100));
-        assert_eq!(measures.tnr, Some(0.0));
-        assert_eq!(measures.npv, None);
-        assert_eq!(measures.for_mean().npv, Some(0.0));
+        let counts = Counts::of_sets(20, 100, 20, 100);
+        let measures = by_definition(counts);
+        assert_eq!(measures[Measure::Tnr], Some(0.0));
+        assert_eq!(measures[Measure::Npv], None);
+        assert_eq!(for_mean(counts)[Measure::Npv], Some(0.0));
     }
 
     #[test]
     fn a_primitive_that_is_the_whole_cloud_leaves_no_negatives_to_measure() {
-        let measures = Classification::of(Counts::of_sets(100, 100, 100, 100));
-        assert_eq!((measures.tnr, measures.npv), (None, None));
-        assert_eq!(measures.for_mean(), measures);
-        assert_eq!(measures.acc, Some(1.0));
+        let counts = Counts::of_sets(100, 100, 100, 100);
+        let measures = by_definition(counts);
+        assert_eq!(
+            (measures[Measure::Tnr], measures[Measure::Npv]),
+            (None, None)
+        );
+        assert_eq!(for_mean(counts), measures);
+        assert_eq!(measures[Measure::Acc], Some(1.0));
     }
 }

@@ -4,9 +4,9 @@
 //! serve none do not enter, nor does it show when one prediction serves several primitives, when
 //! the surface is of another type, or how much of the cloud is labelled at all.
 
-use super::classification::{Classification, Counts};
+use super::classification::Counts;
 use super::matching::{Incidence, Match};
-use super::mean;
+use super::{Measure, Protocol, mean};
 use crate::model::Segmentation;
 use crate::surface::SurfaceType;
 
@@ -69,7 +69,7 @@ impl TypeConfusion {
         &self.counts
     }
 
-    fn add(&mut self, truth: Option<SurfaceType>, matched: MatchedType) {
+    pub(super) fn add(&mut self, truth: Option<SurfaceType>, matched: MatchedType) {
         let (row, column) = Self::place(truth, matched);
         if let Some(count) = self.counts.get_mut(row).and_then(|row| row.get_mut(column)) {
             *count += 1;
@@ -154,7 +154,8 @@ impl Pairing<'_> {
             };
             let size = prediction.points.len();
             let truth = self.truth.primitives.get(found.index)?.points.len();
-            Classification::of(Counts::of_sets(truth, size, found.shared, 0)).dsc
+            let dice = Measure::Dsc.ratio(Protocol::Definition)?;
+            dice.of(Counts::of_sets(truth, size, found.shared, 0))
         })
     }
 }

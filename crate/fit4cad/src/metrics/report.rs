@@ -1,11 +1,12 @@
 //! All measures of one submission on one model.
 
-use super::accuracy::{FitAccuracy, fit_accuracy};
-use super::classification::{Classification, Counts};
+use super::accuracy::fit_accuracy;
+use super::classification::Counts;
 use super::coefficients::{coefficient_distance, published_distance, published_mean};
 use super::hidden::{Hidden, Pairing};
 use super::matching::{Incidence, best_matches};
-use super::{Measures, Protocol, mean};
+use super::measure::Published;
+use super::{Measure, Measures, Protocol, Source, mean};
 use crate::cloud::Cloud;
 use crate::model::{Coefficients, Model, Primitive, Segmentation};
 use crate::surface::SurfaceType;
@@ -42,12 +43,14 @@ impl Report {
         let row = self.primitives.get(place)?;
         let matched = row.matched.and_then(|index| self.predictions.get(index));
         let mutual = matched.filter(|prediction| prediction.matched == Some(place));
-        Some(Measures {
-            mfe: matched.and_then(|prediction| prediction.mfe),
-            d_haus: matched.and_then(|prediction| prediction.d_haus),
-            d1: mutual.and_then(|prediction| prediction.d1),
-            ..row.classification.into()
-        })
+        Some(Measures::from_fn(|measure| {
+            let fit = match measure.source() {
+                Source::Points(_) => return row.classification[measure],
+                Source::Distances(_) => matched,
+                Source::Coefficients => mutual,
+            };
+            fit.and_then(|prediction| prediction.fit[measure])
+        }))
     }
 }
 
@@ -64,18 +67,16 @@ pub struct TruthRow {
     pub matched: Option<usize>,
     /// The counts, in the universe of the protocol; FP and FN as defined, whatever the protocol.
     pub counts: Counts,
-    /// The measures under the protocol's headings.
-    pub classification: Classification,
+    /// The measures of its points under the protocol's headings.
+    pub classification: Measures,
 }
 
 impl TruthRow {
-    /// What enters the mean; the published headings are swapped back and forth, as the rule is
-    /// about what a measure is and not about what it is called.
-    fn for_mean(&self, protocol: Protocol) -> Classification {
-        match protocol {
-            Protocol::Definition => self.classification.for_mean(),
-            Protocol::Published => self.classification.swapped().for_mean().swapped(),
-        }
+    /// What enters the mean: where a measure is 0/0, what stands for the one that is meant, whatever
+    /// heading it is published under.
+    fn for_mean(&self, measure: Measure, protocol: Protocol) -> Option<f64> {
+        let ratio = measure.ratio(protocol)?;
+        self.classification[measure].or_else(|| ratio.for_mean(self.counts))
     }
 }
 
@@ -94,13 +95,10 @@ pub struct PredictionRow {
     pub shared: usize,
     /// DSC with it; 0 if there is none.
     pub dsc: Option<f64>,
-    /// Mean fitting error; `None` without surface or points.
-    pub mfe: Option<f64>,
-    /// Directed Hausdorff distance; `None` without surface or points.
-    pub d_haus: Option<f64>,
-    /// Coefficient distance to its true primitive, by the protocol; `None` if there is none, if
-    /// the types differ (by definition) or the lengths do (as published), or a vector is missing.
-    pub d1: Option<f64>,
+    /// The measures of its surface. Those of distances are `None` without surface or points; the
+    /// coefficient distance, by the protocol, if there is no true primitive, if the types differ
+    /// (by definition) or the lengths do (as published), or a vector is missing.
+    pub fit: Measures,
     /// Whether its type differs from that of its true primitive, where both are known.
     pub type_error: bool,
 }
@@ -203,18 +201,16 @@ fn truth_rows(pairing: &Pairing, points: usize, protocol: Protocol) -> Vec<Truth
             .copied()
             .unwrap_or(0);
         let counts = Counts::of_sets(size, predicted, shared, universe);
-        let classification = match protocol {
-            Protocol::Definition => Classification::of(counts),
-            // DSC compares the whole sets in either protocol.
-            Protocol::Published => {
-                let whole = index.and_then(|index| predictions.get(index));
-                let whole = whole.map_or(0, |prediction| prediction.points.len());
-                Classification {
-                    dsc: Classification::of(Counts::of_sets(size, whole, shared, universe)).dsc,
-                    ..Classification::of(counts).swapped()
-                }
-            }
-        };
+        let whole = index.and_then(|index| predictions.get(index));
+        let whole = whole.map_or(0, |prediction| prediction.points.len());
+        let whole = Counts::of_sets(size, whole, shared, points);
+        let classification = Measures::from_fn(|measure| {
+            let ratio = measure.ratio(protocol)?;
+            ratio.of(match ratio.published {
+                Published::Whole => whole,
+                Published::Labelled | Published::Other(_) => counts,
+            })
+        });
         TruthRow {
             number: primitive.number,
             kind: primitive.kind,
@@ -243,9 +239,11 @@ fn prediction_rows(pairing: &Pairing, cloud: &Cloud, protocol: Protocol) -> Vec<
             matched: found.map(|found| found.index),
             shared: found.map_or(0, |found| found.shared),
             dsc,
-            mfe: accuracy.map(|FitAccuracy { mfe, .. }| mfe),
-            d_haus: accuracy.map(|FitAccuracy { d_haus, .. }| d_haus),
-            d1: partner.and_then(|partner| distance(prediction, partner, protocol)),
+            fit: Measures::from_fn(|measure| match measure.source() {
+                Source::Points(_) => None,
+                Source::Distances(of) => accuracy.map(of),
+                Source::Coefficients => distance(prediction, partner?, protocol),
+            }),
             type_error: partner.is_some_and(|partner| types_differ(prediction, partner)),
         }
     })
@@ -271,25 +269,18 @@ fn means(
     predictions: &[PredictionRow],
     protocol: Protocol,
 ) -> Measures {
-    let over_truth = |pick: fn(Classification) -> Option<f64>| {
-        mean(primitives.iter().map(|row| pick(row.for_mean(protocol))))
-    };
-    let over_predictions =
-        |pick: fn(&PredictionRow) -> Option<f64>| mean(predictions.iter().map(pick));
-    Measures {
-        dsc: over_truth(|row| row.dsc),
-        ppv: over_truth(|row| row.ppv),
-        tpr: over_truth(|row| row.tpr),
-        tnr: over_truth(|row| row.tnr),
-        npv: over_truth(|row| row.npv),
-        acc: over_truth(|row| row.acc),
-        mfe: over_predictions(|row| row.mfe),
-        d_haus: over_predictions(|row| row.d_haus),
-        d1: match protocol {
-            Protocol::Definition => over_predictions(|row| row.d1),
-            Protocol::Published => published_mean(vectors(pairing), pairing.truth.primitives.len()),
-        },
-    }
+    Measures::from_fn(|measure| match (measure.source(), protocol) {
+        (Source::Points(_), _) => {
+            let rows = primitives.iter();
+            mean(rows.map(|row| row.for_mean(measure, protocol)))
+        }
+        (Source::Coefficients, Protocol::Published) => {
+            published_mean(vectors(pairing), pairing.truth.primitives.len())
+        }
+        (Source::Distances(_) | Source::Coefficients, _) => {
+            mean(predictions.iter().map(|row| row.fit[measure]))
+        }
+    })
 }
 
 /// The vector of each prediction with that of its true primitive.

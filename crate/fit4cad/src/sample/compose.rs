@@ -10,6 +10,8 @@ pub const MAX_BLOCKS: usize = 64;
 
 /// Largest size or coordinate.
 const LARGEST: f64 = 1e6;
+/// Smallest size: what is smaller beside what is large has no digits left.
+const SMALLEST: f64 = 1e-6;
 
 /// A shape in its place, and what it does to the part so far.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,9 +87,9 @@ impl Block {
         }
         for (&size, (name, _)) in self.sizes.iter().zip(sizes) {
             let pointed = self.shape == Shape::Cone && size == 0.0 && *name != "height";
-            if !(size > 0.0 && size <= LARGEST || pointed) {
+            if !((SMALLEST..=LARGEST).contains(&size) || pointed) {
                 return Err(format!(
-                    "its {name} must be positive and at most {LARGEST}, not {size}"
+                    "its {name} must be positive, from {SMALLEST} to {LARGEST}, not {size}"
                 ));
             }
         }
@@ -257,6 +259,18 @@ mod tests {
     }
 
     #[test]
+    fn a_size_too_small_to_compute_with_is_refused() {
+        for size in [1e-309, 1e-7, 0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let mut thin = block(Shape::RoundedCuboid);
+            thin.sizes[3] = size;
+            assert!(
+                reason(&[thin]).contains("radius must be positive"),
+                "{size}"
+            );
+        }
+    }
+
+    #[test]
     fn a_quarter_turn_keeps_faces_parallel_to_the_axes_exactly() {
         let mut cuboid = block(Shape::Cuboid);
         cuboid.rotation = [90.0, 180.0, -450.0];
@@ -270,6 +284,19 @@ mod tests {
     fn rotations_come_about_x_then_y_then_z() {
         let [x, y, z] = axes([90.0, 90.0, 0.0]);
         assert_eq!((x, y, z), (-Vector::z(), Vector::x(), -Vector::y()));
+    }
+
+    #[test]
+    fn blocks_at_one_place_are_as_one_and_cost_no_more_for_each_pair() {
+        let alone = made(&[block(Shape::Cuboid)]);
+        let many = made(&vec![block(Shape::Cuboid); 17]);
+        assert_eq!(types(&many), types(&alone));
+        let [alone, many] = [alone, many].map(|model| model.cloud.len());
+        // Points are drawn for each face, and kept where none is near: of faces on one another, a few more.
+        assert!(
+            many.abs_diff(alone) * 10 < alone,
+            "{many} and {alone} points"
+        );
     }
 
     #[test]

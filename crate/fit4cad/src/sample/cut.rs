@@ -1,5 +1,7 @@
 //! Cutting regions out of a cloud: missing data where one wants it.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{Point2, Quaternion, UnitQuaternion};
 
 use super::degrade::Worn;
@@ -100,6 +102,23 @@ impl Lasso {
 }
 
 impl Region {
+    /// A ball.
+    ///
+    /// # Errors
+    /// [`SampleError::InvalidRegion`] if a number is not finite, or the radius is negative.
+    pub fn ball(centre: [f64; 3], radius: f64) -> Result<Self, SampleError> {
+        let usable = radius >= 0.0 && centre.iter().chain([&radius]).all(|x| x.is_finite());
+        if !usable {
+            return Err(SampleError::InvalidRegion {
+                reason: "a ball has a finite centre and a finite radius that is not negative",
+            });
+        }
+        Ok(Self::Ball {
+            centre: centre.into(),
+            radius,
+        })
+    }
+
     fn contains(&self, point: &Point) -> bool {
         match self {
             Self::Ball { centre, radius } => {
@@ -125,10 +144,54 @@ pub fn without(model: &Model, region: &Region) -> Model {
     }
 }
 
+/// What a model has lost when it became another by cutting.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Losses {
+    /// How many points.
+    pub points: usize,
+    /// Numbers of the true primitives that lost their last point.
+    pub vanished: Vec<u32>,
+}
+
+impl Losses {
+    /// Compares a model with what is left of it. O(primitives · log primitives).
+    pub fn between(before: &Model, after: &Model) -> Self {
+        let numbers = |model: &Model| -> Vec<u32> {
+            let truth = model.truth.iter().flat_map(|truth| &truth.primitives);
+            truth.map(|primitive| primitive.number).collect()
+        };
+        let left: BTreeSet<u32> = numbers(after).into_iter().collect();
+        let mut vanished = numbers(before);
+        vanished.retain(|number| !left.contains(number));
+        Self {
+            points: before.cloud.len().saturating_sub(after.cloud.len()),
+            vanished,
+        }
+    }
+}
+
+/// Fewer points than these leave open what surface they lie on: a torus alone has seven parameters.
+pub const FEWEST_POINTS: usize = 10;
+
+/// Numbers of the true primitives with fewer than [`FEWEST_POINTS`] points.
+pub fn thin(model: &Model) -> Vec<u32> {
+    let truth = model.truth.iter().flat_map(|truth| &truth.primitives);
+    let thin = truth.filter(|primitive| primitive.points.len() < FEWEST_POINTS);
+    thin.map(|primitive| primitive.number).collect()
+}
+
+/// Indices, ascending, of the points that [`without`] would cut away. O(points · corners).
+pub fn points_in(model: &Model, region: &Region) -> Vec<u32> {
+    let points = (0u32..).zip(model.cloud.points());
+    let inside = points.filter(|(_, point)| region.contains(point));
+    inside.map(|(index, _)| index).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::cloud::Vector;
+    use crate::model::{Primitive, Segmentation};
     use crate::sample::{Options, farthest_off, generate};
 
     fn model() -> Model {
@@ -147,7 +210,11 @@ mod tests {
         let model = model();
         let centre = model.cloud.points()[0];
         let radius = 0.2 * model.cloud.bounds().diagonal();
-        let rest = without(&model, &Region::Ball { centre, radius });
+        let ball = Region::Ball { centre, radius };
+        let rest = without(&model, &ball);
+        let losses = Losses::between(&model, &rest);
+        assert_eq!(losses.points, points_in(&model, &ball).len());
+        assert_eq!(losses.points, model.cloud.len() - rest.cloud.len());
         assert!(rest.cloud.len() < model.cloud.len());
         assert!(
             rest.cloud
@@ -186,8 +253,33 @@ mod tests {
             )
         });
         assert_eq!(rest.cloud.len(), model.cloud.len() - gone.points.len());
+        assert_eq!(Losses::between(&model, &rest).vanished, [gone.number]);
         let left = rest.truth.unwrap().primitives;
         assert!(left.iter().all(|primitive| primitive.number != gone.number));
+    }
+
+    #[test]
+    fn nothing_is_lost_between_a_model_and_itself() {
+        let model = model();
+        let losses = Losses::between(&model, &model);
+        assert_eq!((losses.points, losses.vanished.len()), (0, 0));
+    }
+
+    #[test]
+    fn a_primitive_of_nine_points_is_thin_and_one_of_ten_is_not() {
+        let listing = |number, points| Primitive {
+            number,
+            points: (0..points).collect(),
+            ..Primitive::default()
+        };
+        let model = Model {
+            truth: Some(Segmentation {
+                primitives: vec![listing(3, 10), listing(5, 9), listing(7, 0)],
+            }),
+            ..Model::default()
+        };
+        assert_eq!(thin(&model), [5, 7]);
+        assert_eq!(thin(&Model::default()), [0; 0]);
     }
 
     #[test]
@@ -228,6 +320,15 @@ mod tests {
         assert!(lasso(UPRIGHT, 1.0, f64::NAN, &SQUARE).contains("before its target"));
         assert!(lasso(UPRIGHT, 1.0, 1.0, &SQUARE[..2]).contains("corners"));
         assert!(lasso(UPRIGHT, 1.0, 1.0, &[[f64::NAN; 2]; 3]).contains("corners"));
+        for (centre, radius) in [
+            ([f64::NAN, 0.0, 0.0], 1.0),
+            ([0.0, f64::INFINITY, 0.0], 1.0),
+            ([0.0; 3], f64::INFINITY),
+            ([0.0; 3], -1.0),
+        ] {
+            let refused = Region::ball(centre, radius).unwrap_err().to_string();
+            assert!(refused.contains("a ball has"), "{refused}");
+        }
         let nowhere = Region::Ball {
             centre: Point::new(f64::NAN, 0.0, 0.0),
             radius: f64::INFINITY,

@@ -1,8 +1,9 @@
 //! What scanning does to a cloud: missing regions, noise, outliers.
 
-use super::random::Random;
-use super::{SampleError, check_range};
+use super::SampleError;
+use super::ranges::{MISSING, NOISE, OUTLIERS};
 use crate::cloud::{Bounds, Point, Vector};
+use crate::random::Random;
 
 /// How much worse a cloud becomes. The default changes nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -22,9 +23,9 @@ impl Degradation {
     /// # Errors
     /// [`SampleError::OutOfRange`] names the first value that is not a number in its range.
     pub fn check(&self) -> Result<(), SampleError> {
-        check_range("noise", self.noise, 0.0, 0.1)?;
-        check_range("outliers", self.outliers, 0.0, 1.0)?;
-        check_range("missing", self.missing, 0.0, 0.95)
+        NOISE.check(self.noise)?;
+        OUTLIERS.check(self.outliers)?;
+        MISSING.check(self.missing)
     }
 }
 

@@ -2,10 +2,10 @@
 
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
 
-use super::random::Random;
 use crate::cloud::neighbours::{KdTree, Neighbour};
 use crate::cloud::{Bounds, Point, Vector};
 use crate::model::{Model, Primitive, Segmentation};
+use crate::random::Random;
 use crate::surface::Surface;
 
 /// Standard deviation of the displacement that frays the borders, over the cloud's diagonal.
@@ -153,7 +153,7 @@ fn at<'a>(points: &'a [Point], list: &'a [u32]) -> impl Iterator<Item = &'a Poin
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::{Protocol, evaluate};
+    use crate::metrics::{Measure, Protocol, evaluate};
     use crate::sample::{Options, generate, parts};
 
     #[test]
@@ -163,10 +163,10 @@ mod tests {
             let truth = model.truth.as_ref().unwrap();
             let found = imperfect(&model, 1);
             let report = evaluate(&model.cloud, truth, &found, Protocol::Definition);
-            let dsc = report.mean.dsc.unwrap();
+            let dsc = report.mean[Measure::Dsc].unwrap();
             assert!((0.4..0.97).contains(&dsc), "{}: DSC {dsc}", part.name);
             assert!(!report.hidden.merged.is_empty(), "{}", part.name);
-            let mfe = report.mean.mfe.unwrap();
+            let mfe = report.mean[Measure::Mfe].unwrap();
             assert!((1e-4..0.05).contains(&mfe), "{}: MFE {mfe}", part.name);
         }
     }

@@ -4,8 +4,8 @@
 use super::SampleError;
 use super::boundary::{Boundary, Domain, EdgePoint, Face, edge_points};
 use super::grid::Grid;
-use super::random::Random;
 use crate::cloud::Point;
+use crate::random::Random;
 
 /// Points of a part and the carriers they lie on.
 #[derive(Debug, Clone, Default)]

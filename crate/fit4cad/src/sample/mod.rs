@@ -19,18 +19,22 @@ mod degrade;
 mod grid;
 mod imperfect;
 mod mesh;
+mod options;
 mod patches;
-mod random;
+mod ranges;
 mod shapes;
+pub mod single;
 
 use blocks::Part;
 use boundary::Boundary;
 pub use catalogue::{PartInfo, parts};
 pub use compose::{Block, MAX_BLOCKS, compose};
-pub use cut::{Lasso, MAX_CORNERS, Region, without};
+pub use cut::{FEWEST_POINTS, Lasso, Losses, MAX_CORNERS, Region, points_in, thin, without};
 pub use degrade::Degradation;
 use degrade::Worn;
 pub use imperfect::imperfect;
+pub use options::Options;
+pub use ranges::{OPTIONS, OptionInfo};
 pub use shapes::{SHAPES, Shape, ShapeInfo};
 
 use crate::cloud::Cloud;
@@ -38,67 +42,6 @@ use crate::model::{Model, Primitive, Segmentation};
 
 /// Most points a model may have before outliers are added.
 pub const MAX_POINTS: usize = 2_000_000;
-
-/// How a part becomes a cloud. All lengths are fractions of the diagonal of the part's bounding
-/// box, so that the same options suit every part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// Seed of everything random.
-    pub seed: u64,
-    /// Median distance between nearest neighbours, 0.0005 to 0.1 of the diagonal; 0.0077, the
-    /// median of the benchmark's clouds, by default.
-    pub spacing: f64,
-    /// Standard deviation of the normal noise added to each coordinate, 0 to 0.1 of the diagonal.
-    pub noise: f64,
-    /// Outliers per point of the part, 0 to 1: evenly distributed points of no primitive.
-    pub outliers: f64,
-    /// Fraction of the points cut away by balls and half-spaces, 0 to 0.95.
-    pub missing: f64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            seed: 1,
-            spacing: 0.0077,
-            noise: 0.0,
-            outliers: 0.0,
-            missing: 0.0,
-        }
-    }
-}
-
-impl Options {
-    /// Whether every option is in its range.
-    ///
-    /// # Errors
-    /// [`SampleError::OutOfRange`] names the first option that is not a number in its range.
-    pub fn check(&self) -> Result<(), SampleError> {
-        check_range("spacing", self.spacing, 0.0005, 0.1)?;
-        self.degradation().check()
-    }
-
-    /// What is to be done to the clean cloud.
-    pub fn degradation(&self) -> Degradation {
-        Degradation {
-            noise: self.noise,
-            outliers: self.outliers,
-            missing: self.missing,
-        }
-    }
-}
-
-fn check_range(option: &'static str, value: f64, min: f64, max: f64) -> Result<(), SampleError> {
-    if (min..=max).contains(&value) {
-        return Ok(());
-    }
-    Err(SampleError::OutOfRange {
-        option,
-        value,
-        min,
-        max,
-    })
-}
 
 /// Why no model was made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -30,13 +30,13 @@ impl Cone {
         let offset = point - self.apex;
         let height = offset.dot(&self.axis);
         let radius = (offset - self.axis.into_inner() * height).norm();
-        let (sin, cos) = self.half_angle.sin_cos();
+        let (sin, cos) = libm::sincos(self.half_angle);
         radius * cos - height.abs() * sin
     }
 
     pub(super) fn normal(&self, point: &Point) -> Direction {
         let (height, _, outward) = axial(point, &self.apex, &self.axis);
-        let (sin, cos) = self.half_angle.sin_cos();
+        let (sin, cos) = libm::sincos(self.half_angle);
         let along = self.axis.into_inner() * if height < 0.0 { -sin } else { sin };
         Direction::new_normalize(outward.into_inner() * cos - along)
     }

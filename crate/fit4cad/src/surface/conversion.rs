@@ -75,9 +75,9 @@ impl Conversion {
     /// radii and apexes are differences of larger numbers, so two thirds of the digits may go.
     pub const TOLERANCE: f64 = 1e-2;
 
-    /// Refuses results that overflowed.
+    /// Refuses results with numbers that cannot be computed with.
     pub(super) fn checked(surface: Surface, misfit: f64) -> Result<Self, ConversionError> {
-        if !surface.is_finite() {
+        if !surface.is_in_range() {
             return Err(ConversionError::Degenerate {
                 kind: surface.kind(),
                 defect: Defect::Overflow,

@@ -28,7 +28,7 @@ pub use polynomial::Polynomial;
 pub use sphere::Sphere;
 pub use torus::Torus;
 
-use crate::cloud::{Direction, Point, Vector};
+use crate::cloud::{Direction, LARGEST, Point, SMALLEST, Vector};
 
 /// The family a surface belongs to, simplest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -66,6 +66,18 @@ impl SurfaceType {
         }
     }
 
+    /// Place of its colour among those of segments: of the first six the five that are told apart
+    /// best beside each other.
+    pub const fn colour(self) -> u8 {
+        match self {
+            Self::Plane => 0,
+            Self::Cylinder => 1,
+            Self::Cone => 2,
+            Self::Sphere => 3,
+            Self::Torus => 5,
+        }
+    }
+
     /// The type of that name, in any case.
     pub fn from_name(name: &[u8]) -> Option<Self> {
         let is_named = |kind: &Self| kind.name().as_bytes().eq_ignore_ascii_case(name);
@@ -90,6 +102,10 @@ impl SurfaceType {
         }
     }
 }
+
+/// What stands in the place of a type's name for a primitive of none of the five; nothing reads it but
+/// as unknown.
+pub const OTHER: &str = "Other";
 
 impl fmt::Display for SurfaceType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -154,24 +170,27 @@ impl Surface {
         point - self.normal(point).into_inner() * self.signed_distance(point)
     }
 
-    /// Whether every parameter is a finite number.
-    pub fn is_finite(&self) -> bool {
-        let finite = |point: &Point, axis: &Direction, rest: [f64; 2]| {
-            point
-                .iter()
-                .chain(axis.iter())
-                .chain(&rest)
-                .all(|value| value.is_finite())
+    /// Whether every parameter is a number that can be computed with: places and radii up to
+    /// [`LARGEST`], and no radius, but for the major one of a torus, below [`SMALLEST`]. Whatever is
+    /// derived from such a surface and points up to there is finite.
+    pub fn is_in_range(&self) -> bool {
+        // Not `amax`, for which what is no number is the smallest there is.
+        let lies = |point: &Point, axis: &Direction| {
+            point.iter().all(|value| value.abs() <= LARGEST)
+                && axis.iter().all(|value| value.is_finite())
         };
+        let opens = |radius: f64| (SMALLEST..=LARGEST).contains(&radius);
         let z = Vector::z_axis();
         match self {
-            Self::Plane(shape) => finite(&Point::origin(), &shape.normal, [shape.offset, 0.0]),
-            Self::Cylinder(shape) => finite(&shape.centre, &shape.axis, [shape.radius, 0.0]),
-            Self::Cone(shape) => finite(&shape.apex, &shape.axis, [shape.half_angle, 0.0]),
-            Self::Sphere(shape) => finite(&shape.centre, &z, [shape.radius, 0.0]),
+            Self::Plane(shape) => {
+                lies(&Point::origin(), &shape.normal) && shape.offset.abs() <= LARGEST
+            }
+            Self::Cylinder(shape) => lies(&shape.centre, &shape.axis) && opens(shape.radius),
+            Self::Cone(shape) => lies(&shape.apex, &shape.axis) && shape.half_angle.is_finite(),
+            Self::Sphere(shape) => lies(&shape.centre, &z) && opens(shape.radius),
             Self::Torus(shape) => {
-                let radii = [shape.major_radius, shape.minor_radius];
-                finite(&shape.centre, &shape.axis, radii)
+                let round = (0.0..=LARGEST).contains(&shape.major_radius);
+                lies(&shape.centre, &shape.axis) && round && opens(shape.minor_radius)
             }
         }
     }

@@ -52,7 +52,7 @@ impl Surface {
             }
             Self::Cone(cone) => {
                 let (u, v) = frame(&cone.axis);
-                let (sin, cos) = cone.half_angle.sin_cos();
+                let (sin, cos) = libm::sincos(cone.half_angle);
                 let (zero, axis) = (Vector::zeros(), cone.axis.into_inner());
                 vec![zero, zero, u * sin, v * sin, axis * cos, cone.apex.coords]
             }
@@ -93,7 +93,7 @@ pub fn parametric_point(kind: SurfaceType, values: &[f64], u: f64, v: f64) -> Op
 
 /// Points spread over a parametric form, enough of them to tell all polynomials up to the degree of
 /// any family apart; none where the vector is no surface. Open directions are covered about as far
-/// as the surface is wide, a cone on both nappes.
+/// as the surface is wide, a cone on both nappes. All are finite.
 pub fn sample_parametric(kind: SurfaceType, values: &[f64]) -> Vec<Point> {
     const STEPS: u32 = 15;
     let form = Parametric { kind, values };
@@ -101,8 +101,11 @@ pub fn sample_parametric(kind: SurfaceType, values: &[f64]) -> Vec<Point> {
         return Vec::new();
     }
     match form.surface() {
-        Ok((_, region)) => form.grid(&region, STEPS).collect(),
-        Err(_) => Vec::new(),
+        Ok((surface, region)) if surface.is_in_range() => {
+            let finite = |point: &Point| point.iter().all(|value| value.is_finite());
+            form.grid(&region, STEPS).filter(finite).collect()
+        }
+        _ => Vec::new(),
     }
 }
 
@@ -140,7 +143,7 @@ impl<'a> Parametric<'a> {
 
     fn at(&self, u: f64, v: f64) -> Point {
         let column = |index| self.column(index);
-        let ((sin_u, cos_u), (sin_v, cos_v)) = (u.sin_cos(), v.sin_cos());
+        let ((sin_u, cos_u), (sin_v, cos_v)) = (libm::sincos(u), libm::sincos(v));
         let ring = |first| column(first) * cos_u + column(first + 1) * sin_u;
         Point::from(match self.kind {
             SurfaceType::Plane => column(0) * u + column(1) * v + column(2),
@@ -232,7 +235,7 @@ fn cone(form: Parametric) -> Result<(Surface, Region), Defect> {
         normal_of(&c, &d).ok_or(Defect::NoAxis)?
     };
     let axis = direction(&along).ok_or(Defect::NoAxis)?;
-    let half_angle = mean_radius(&c, &d, &axis).atan2(e.dot(&axis).abs());
+    let half_angle = libm::atan2(mean_radius(&c, &d, &axis), e.dot(&axis).abs());
     if !(half_angle > 0.0 && e.dot(&axis) != 0.0) {
         return Err(Defect::NoOpening);
     }
@@ -251,11 +254,11 @@ fn cone(form: Parametric) -> Result<(Surface, Region), Defect> {
 
 fn sphere(form: Parametric) -> Result<(Surface, Region), Defect> {
     let columns = [form.column(0), form.column(1), form.column(2)];
-    let radii = Matrix3::from_columns(&columns).singular_values();
-    let radius = radii.mean();
-    if radius <= 0.0 {
+    // One so small that its square vanishes is no zero: it is told of as too small.
+    if columns.iter().all(|column| column.amax() == 0.0) {
         return Err(Defect::NoRadius);
     }
+    let radius = Matrix3::from_columns(&columns).singular_values().mean();
     let surface = Surface::Sphere(Sphere::new(Point::from(form.column(3)), radius));
     let region = Region {
         u: TURN,
@@ -302,7 +305,7 @@ fn mean_radius(a: &Vector, b: &Vector, axis: &Direction) -> f64 {
     let seen = |vector: &Vector| vector - axis.into_inner() * vector.dot(axis);
     let (a, b) = (seen(a), seen(b));
     let (aa, bb, ab) = (a.norm_squared(), b.norm_squared(), a.dot(&b));
-    let longer = ((aa + bb + (aa - bb).hypot(2.0 * ab)) / 2.0).sqrt();
+    let longer = ((aa + bb + libm::hypot(aa - bb, 2.0 * ab)) / 2.0).sqrt();
     if longer > 0.0 {
         (longer + a.cross(&b).norm() / longer) / 2.0
     } else {

@@ -45,8 +45,8 @@ impl Torus {
 
     /// Signed distance and the radial position of the tube centre it is measured from.
     fn in_half_plane(&self, radius: f64, height: f64) -> (f64, f64) {
-        let near = (radius - self.major_radius).hypot(height) - self.minor_radius;
-        let far = (radius + self.major_radius).hypot(height) - self.minor_radius;
+        let near = libm::hypot(radius - self.major_radius, height) - self.minor_radius;
+        let far = libm::hypot(radius + self.major_radius, height) - self.minor_radius;
         if far.abs() < near.abs() {
             (far, -self.major_radius)
         } else {

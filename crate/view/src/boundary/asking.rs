@@ -4,15 +4,18 @@ use glam::{Vec2, Vec3};
 use wasm_bindgen::prelude::*;
 
 use super::View;
-use crate::gl::GlError;
+use super::plain::{Hit, Picked};
+use crate::draw::gl::GlError;
+use crate::draw::picking::{PickState, visible_in};
+use crate::draw::renderer::Renderer;
+use crate::lasso::Lasso;
 use crate::layout::Side;
-use crate::picking::{PickState, visible_in};
-use crate::renderer::Renderer;
 use crate::select::Region;
 
 #[wasm_bindgen]
 impl View {
-    /// Number of the side shown at a position, or nothing outside the canvas.
+    /// The side shown at a position, or nothing outside the canvas.
+    #[wasm_bindgen(unchecked_return_type = "Side | undefined")]
     pub fn side_at(&self, x: f32, y: f32) -> Option<usize> {
         let panes = self.scene.panes(&self.frame);
         panes.at(x, y).map(|pane| pane.side.index())
@@ -20,7 +23,13 @@ impl View {
 
     /// Where a point of the cloud is seen on a side: x, y and depth (−1 to 1) or nothing where it
     /// is not before the eye or the side is not shown.
-    pub fn project(&self, side: usize, x: f32, y: f32, z: f32) -> Option<Vec<f32>> {
+    pub fn project(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
+        x: f32,
+        y: f32,
+        z: f32,
+    ) -> Option<Vec<f32>> {
         let panes = self.scene.panes(&self.frame);
         let pane = panes.of(Side::from_index(side))?;
         let clip = self.scene.lens(pane).view_projection * Vec3::new(x, y, z).extend(1.0);
@@ -53,21 +62,22 @@ impl View {
         Ok(true)
     }
 
-    /// Asks for the answer: nothing while there is none yet; else the side and the point's index,
-    /// or −1 where there is no point.
-    pub fn poll_pick(&mut self) -> Option<Vec<i32>> {
-        match self.renderer.as_mut()?.picker.poll(&self.gl) {
-            PickState::Waiting => None,
-            PickState::Idle => Some(vec![0, -1]),
+    /// Asks for the answer; nothing while there is none yet.
+    #[wasm_bindgen(unchecked_return_type = "Picked | undefined")]
+    pub fn poll_pick(&mut self) -> JsValue {
+        let Some(renderer) = self.renderer.as_mut() else {
+            return JsValue::UNDEFINED;
+        };
+        let hit = match renderer.picker.poll(&self.gl) {
+            PickState::Waiting => return JsValue::UNDEFINED,
+            PickState::Idle => None,
             PickState::Done(side, place) => {
                 let order = self.scene.cloud.get().order();
                 let index = place.and_then(|place| order.get(place as usize).copied());
-                let index = index
-                    .and_then(|index| i32::try_from(index).ok())
-                    .unwrap_or(-1);
-                Some(vec![side.index() as i32, index])
+                index.map(|index| Hit { side, index })
             }
-        }
+        };
+        JsValue::from(&Picked { hit })
     }
 
     /// Indices, ascending, of the points of a side inside a circle.
@@ -76,7 +86,7 @@ impl View {
     /// If the graphics context is lost or out of memory.
     pub fn points_in_circle(
         &mut self,
-        side: usize,
+        #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
         x: f32,
         y: f32,
         radius: f32,
@@ -90,13 +100,51 @@ impl View {
         )
     }
 
+    /// The region of space that a closed curve (x y per place) on a side encloses: all the way
+    /// through, or, with `visible`, as deep as the deepest point that can be seen in it. Nothing
+    /// where no point is inside.
+    ///
+    /// # Errors
+    /// If the graphics context is lost or out of memory.
+    #[wasm_bindgen(unchecked_return_type = "Lasso | undefined")]
+    pub fn lasso(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
+        curve: &[f32],
+        visible: bool,
+    ) -> Result<JsValue, JsValue> {
+        let side = Side::from_index(side);
+        let (curve, _) = curve.as_chunks::<2>();
+        let curve: Vec<Vec2> = curve.iter().copied().map(Vec2::from_array).collect();
+        let camera = self.scene.camera;
+        let panes = self.scene.panes(&self.frame);
+        let lasso = panes
+            .of(side)
+            .and_then(|pane| Lasso::drawn(&curve, &pane.viewport, &camera, self.frame.pixel_ratio));
+        let places = self.places_in(side, Region::Polygon(curve), visible)?;
+        let Some(lasso) = lasso.filter(|_| !places.is_empty()) else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let cloud = self.scene.cloud.get();
+        let lasso = if visible {
+            let seen = places
+                .iter()
+                .filter_map(|&at| cloud.positions().get(at as usize));
+            // A little more than the deepest: what is seen must not stay for want of a digit.
+            lasso.down_to(seen.copied(), &camera, cloud.spacing() / 4.0)
+        } else {
+            lasso
+        };
+        Ok(JsValue::from(&lasso))
+    }
+
     /// Indices, ascending, of the points of a side inside a polygon (x y per corner).
     ///
     /// # Errors
     /// If the graphics context is lost or out of memory.
     pub fn points_in_polygon(
         &mut self,
-        side: usize,
+        #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
         corners: &[f32],
         visible: bool,
     ) -> Result<Vec<u32>, JsValue> {
@@ -107,9 +155,26 @@ impl View {
 }
 
 impl View {
-    /// The points inside a region: all of them by projection, or those that can be seen by drawing
-    /// their numbers.
+    /// Indices, ascending, of the points inside a region.
     fn points_in(
+        &mut self,
+        side: Side,
+        region: Region,
+        visible: bool,
+    ) -> Result<Vec<u32>, JsValue> {
+        let places = self.places_in(side, region, visible)?;
+        let order = self.scene.cloud.get().order();
+        let given = places
+            .into_iter()
+            .filter_map(|place| order.get(place as usize).copied());
+        let mut indices: Vec<u32> = given.collect();
+        indices.sort_unstable();
+        Ok(indices)
+    }
+
+    /// Places in the shuffled order of the points inside a region: all of them by projection, or
+    /// those that can be seen by drawing their numbers.
+    fn places_in(
         &mut self,
         side: Side,
         region: Region,
@@ -121,16 +186,16 @@ impl View {
         };
         let sight = self.scene.sight(pane, &self.frame, usize::MAX);
         let cloud = self.scene.cloud.get();
-        let places = if visible {
+        if visible {
             let renderer = self.renderer.as_mut().ok_or(GlError::Lost)?;
             renderer.sync(&self.gl, &self.scene);
-            visible_in(&self.gl, &renderer.points, &sight, &region)?
+            Ok(visible_in(&self.gl, &renderer.points, &sight, &region)?)
         } else {
             let origin = Vec2::new(pane.viewport.x as f32, pane.viewport.y as f32);
             let size = Vec2::new(pane.viewport.width as f32, pane.viewport.height as f32);
             let colouring = self.scene.colouring(side);
             let labels = colouring.labels().get();
-            region
+            Ok(region
                 .moved(-origin)
                 .select(cloud.positions(), &sight.lens.view_projection, size)
                 .into_iter()
@@ -138,14 +203,7 @@ impl View {
                     let label = labels.get(place as usize).copied().unwrap_or(0);
                     colouring.state(label).can_be_picked()
                 })
-                .collect()
-        };
-        let order = cloud.order();
-        let mut indices: Vec<u32> = places
-            .into_iter()
-            .filter_map(|place| order.get(place as usize).copied())
-            .collect();
-        indices.sort_unstable();
-        Ok(indices)
+                .collect())
+        }
     }
 }

@@ -5,6 +5,8 @@
 
 mod asking;
 mod content;
+mod crossing;
+mod plain;
 mod travel;
 
 use wasm_bindgen::prelude::*;
@@ -12,9 +14,9 @@ use web_sys::WebGl2RenderingContext;
 
 use crate::camera::Camera;
 use crate::controls::Flight;
-use crate::gl::GlError;
+use crate::draw::gl::GlError;
+use crate::draw::renderer::Renderer;
 use crate::motion::Motion;
-use crate::renderer::Renderer;
 use crate::scene::{Frame, Scene};
 
 impl From<GlError> for JsValue {

@@ -4,21 +4,23 @@ use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
 use super::View;
-use crate::camera::{Camera, Projection, Standpoint};
+use super::crossing::GivenCamera;
+use crate::camera::{Camera, CameraState, Projection, Standpoint};
 use crate::cloud::Bounds;
 use crate::controls::Flight;
-use crate::layout::Side;
+use crate::layout::{Panes, Side};
 
 #[wasm_bindgen]
 impl View {
-    /// Target x y z, rotation x y z w, visible height, 1 where orthographic.
-    pub fn camera(&self) -> Vec<f32> {
-        self.destination().state().to_vec()
+    /// Where the camera is or is flying to.
+    #[wasm_bindgen(unchecked_return_type = "CameraState")]
+    pub fn camera(&self) -> JsValue {
+        JsValue::from(&self.destination().state())
     }
 
-    /// Sets the camera from such numbers; false where they are none.
-    pub fn set_camera(&mut self, state: &[f32], animated: bool) -> bool {
-        let camera = Camera::from_state(state);
+    /// Sets the camera; false where the numbers make none.
+    pub fn set_camera(&mut self, state: &GivenCamera, animated: bool) -> bool {
+        let camera = Camera::from_state(&CameraState::from(state));
         if let Some(camera) = camera {
             self.fly(camera, animated);
         }
@@ -26,14 +28,12 @@ impl View {
     }
 
     /// Switches between perspective and orthographic projection.
-    pub fn set_orthographic(&mut self, orthographic: bool) {
-        let projection = if orthographic {
-            Projection::Orthographic
-        } else {
-            Projection::Perspective
-        };
+    pub fn set_projection(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Projection")] projection: &str,
+    ) {
         let camera = Camera {
-            projection,
+            projection: Projection::named(projection),
             ..self.destination()
         };
         self.fly(camera, false);
@@ -46,16 +46,24 @@ impl View {
     }
 
     /// Frames the points with any of the labels on a side.
-    pub fn fit_labels(&mut self, side: usize, labels: &[u32], animated: bool) {
+    pub fn fit_labels(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
+        labels: &[u32],
+        animated: bool,
+    ) {
         let bounds = self.scene.bounds_of(Side::from_index(side), labels);
         self.frame_bounds(&bounds, animated);
     }
 
-    /// Looks from a standpoint: 0 front, 1 back, 2 left, 3 right, 4 top, 5 bottom, 6 isometric.
-    pub fn look_from(&mut self, standpoint: usize, animated: bool) {
-        if let Some(&standpoint) = Standpoint::ALL.get(standpoint) {
-            self.fly(self.destination().from_standpoint(standpoint), animated);
-        }
+    /// Looks from a standpoint.
+    pub fn look_from(&mut self, standpoint: Standpoint, animated: bool) {
+        self.fly(self.destination().from_standpoint(standpoint), animated);
+    }
+
+    /// Width over height of the narrowest view in a canvas of a size, as the layout is.
+    pub fn aspect(&self, width: i32, height: i32) -> f32 {
+        Panes::new(self.scene.layout, width, height).aspect()
     }
 
     /// Turns the cloud as a hand on a trackball does, from one position to another.

@@ -4,7 +4,7 @@ import type { ComponentChildren, JSX } from "preact";
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { Forms, SurfaceSliders } from "../../../generated/engine/engine.js";
-import { bytes, segmentColour, UNSEGMENTED } from "../../view/palette";
+import { bytes, rgb, segmentColour, UNSEGMENTED } from "../../view/palette";
 import { LiveView } from "../../view/live-view";
 import type { PointView } from "../../view/point-view";
 import type { SurfacePatch } from "../../view/types";
@@ -167,5 +167,5 @@ function Slider({ name, value, range: [low, high], by = 0.01, onInput }: SliderP
 }
 
 function patchOf(forms: Forms, colour: string): SurfacePatch | undefined {
-  return forms.patch && { side: 0, colour, ...forms.patch };
+  return forms.patch && { side: 0, colour: rgb(colour), ...forms.patch };
 }

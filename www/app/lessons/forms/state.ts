@@ -1,11 +1,12 @@
 // What the lesson on both forms holds: a true surface, a predicted one, and what the engine says of them.
 
 import { computed, signal } from "@preact/signals";
+import { SURFACE_TYPES } from "../../../generated/declared/surface-types.js";
 import type { FormComparison, Forms, SurfaceSliders, SurfaceType } from "../../../generated/engine/engine.js";
 import { latest } from "../../engine/latest";
 import type { Session } from "../session";
 
-export const FAMILIES: readonly SurfaceType[] = ["Plane", "Cylinder", "Cone", "Sphere", "Torus"];
+export const FAMILIES: readonly SurfaceType[] = SURFACE_TYPES.map(({ name }) => name);
 
 const START: Readonly<Record<SurfaceType, SurfaceSliders>> = {
   Plane: { type: "Plane", at: [0, 0, 0.3], tilt: 20, heading: 30, size: 1, minor: 0.2 },

@@ -6,7 +6,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { bytes, segmentColour, segmentTable, SEQUENTIAL, UNSEGMENTED } from "../../view/palette";
 import { LiveView } from "../../view/live-view";
 import type { PointView } from "../../view/point-view";
-import { LabelState } from "../../view/types";
+import { LabelState, Standpoint } from "../../view/types";
 import * as format from "../../ui/format";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
@@ -69,7 +69,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     drawn.setCloud(positions);
     if (framed.current === drawn) drawn.setCamera(camera);
     else {
-      drawn.lookFrom("isometric", false);
+      drawn.lookFrom(Standpoint.Isometric, false);
       drawn.fit(false);
       framed.current = drawn;
     }

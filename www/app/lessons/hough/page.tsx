@@ -3,10 +3,10 @@
 import type { JSX } from "preact";
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { bytes, segmentColour, segmentTable, UNSEGMENTED } from "../../view/palette";
+import { bytes, rgb, segmentColour, segmentTable, UNSEGMENTED } from "../../view/palette";
 import { LiveView } from "../../view/live-view";
 import type { PointView } from "../../view/point-view";
-import { LabelState } from "../../view/types";
+import { LabelState, Standpoint } from "../../view/types";
 import * as format from "../../ui/format";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
@@ -45,7 +45,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     if (!drawn || !shown) return;
     drawn.setCloud(shown.positions);
     drawn.colourByLabel(0);
-    drawn.lookFrom("isometric", false);
+    drawn.lookFrom(Standpoint.Isometric, false);
     drawn.turn(0, 0.35);
     drawn.fit(false);
   });
@@ -70,7 +70,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
       (polished?.support ?? info?.voters ?? NOTHING).forEach((index) => (labels[index] = 1));
       if (has("point") && state.point.value !== undefined) labels[state.point.value] = 2;
       drawn.setColours(0, bytes([UNSEGMENTED, VOTER, "#e000b8"]));
-      drawn.setPatches(patch ? [{ side: 0, colour: SURFACE, ...patch }] : []);
+      drawn.setPatches(patch ? [{ side: 0, colour: rgb(SURFACE), ...patch }] : []);
     }
     drawn.setLabels(0, labels);
   });

@@ -2,11 +2,12 @@
 // engine found in it so far.
 
 import { batch, signal } from "@preact/signals";
+import { SURFACE_TYPES } from "../../../generated/declared/surface-types.js";
 import type { CellInfo, MaximumInfo, PolishInfo, SliceInfo, SurfaceType } from "../../../generated/engine/engine.js";
 import type { LessonModel, LessonSegmentation } from "../../../worker/lessons";
 import type { Session } from "../session";
 
-export const FAMILIES: readonly SurfaceType[] = ["Plane", "Cylinder", "Cone", "Sphere", "Torus"];
+export const FAMILIES: readonly SurfaceType[] = SURFACE_TYPES.map(({ name }) => name);
 
 /** A part that has faces of the family, several alike where possible. */
 export const PART_OF: Readonly<Record<SurfaceType, "flange" | "ball-joint">> = {

@@ -6,6 +6,7 @@ import { useRef } from "preact/hooks";
 import { bytes, OUTCOME_COLOURS, segmentColour, UNSEGMENTED } from "../../view/palette";
 import { LiveView } from "../../view/live-view";
 import type { PointView } from "../../view/point-view";
+import { Standpoint } from "../../view/types";
 import { Swatch } from "../../ui/swatch";
 import { Choice } from "../../ui/choice";
 import { LessonFrame } from "../frame";
@@ -72,7 +73,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     drawn.colourByLabel(1);
     const own = shown.lists.members.slice(0, 2).map((_, place) => place + 1);
     // From before the opening and above, where no part of the niche hides another.
-    drawn.lookFrom("front", false);
+    drawn.lookFrom(Standpoint.Front, false);
     drawn.turn(0.3, 0.6);
     drawn.fitLabels(0, own, false);
     drawn.zoom(0.92);

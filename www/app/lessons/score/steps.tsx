@@ -93,7 +93,7 @@ export const STEPS: readonly ScoreStep[] = [
         <p>The six measures are ratios of these counts. Paint and erase, and watch which ones move.</p>
         <Task
           task="Leave no false positive, without emptying the prediction."
-          solved={() => score.value?.counts[0]?.fp === 0 && (score.value.counts[0]?.tp ?? 0) > 0}
+          solved={() => score.value?.counts[0]?.fp === 0 && score.value.counts[0].tp > 0}
           standing={`There are ${format.integer(score.value?.counts[0]?.fp ?? 0)} false positives and ${format.integer(score.value?.counts[0]?.tp ?? 0)} true ones.`}
           hint="Choose Erase and brush over the floor; the red points on the right are the false positives. Shrink takes them away too."
           learnt="TNR and PPV are 1 now: both only ask about false positives."

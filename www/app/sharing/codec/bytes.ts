@@ -13,7 +13,21 @@ export class Damaged extends Error {
 export const MAX_TEXT_BYTES = 200;
 
 /** Control characters and those that turn the direction of writing could make a text look like another. */
+// eslint-disable-next-line no-control-regex -- they are what is looked for
 const INVISIBLE = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]/gu;
+
+function textBytes(value: string): Uint8Array<ArrayBuffer> {
+  const bytes = new TextEncoder().encode(value.replace(INVISIBLE, "\ufffd"));
+  let length = Math.min(bytes.length, MAX_TEXT_BYTES);
+  // Not in the middle of a character: continuation bytes are 10xxxxxx.
+  while (length < bytes.length && length > 0 && ((bytes[length] ?? 0) & 0xc0) === 0x80) length -= 1;
+  return bytes.slice(0, length);
+}
+
+/** What becomes of a text that goes through a link. */
+export function asLinkText(value: string): string {
+  return new TextDecoder().decode(textBytes(value));
+}
 
 export class ByteWriter {
   readonly #bytes: number[] = [];
@@ -57,12 +71,9 @@ export class ByteWriter {
   }
 
   text(value: string): void {
-    const bytes = new TextEncoder().encode(value.replace(INVISIBLE, "\ufffd"));
-    let length = Math.min(bytes.length, MAX_TEXT_BYTES);
-    // Not in the middle of a character: continuation bytes are 10xxxxxx.
-    while (length < bytes.length && length > 0 && ((bytes[length] ?? 0) & 0xc0) === 0x80) length -= 1;
-    this.whole(length);
-    this.raw(bytes.subarray(0, length));
+    const bytes = textBytes(value);
+    this.whole(bytes.length);
+    this.raw(bytes);
   }
 
   finish(): Uint8Array<ArrayBuffer> {

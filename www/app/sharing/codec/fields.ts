@@ -3,7 +3,6 @@
 //
 // Lists of like things are written column by column, which deflate rewards.
 
-import { MEASURES } from "../../../../bin/formats/measures.mjs";
 import type { Measure, Protocol, SampleOptions } from "../../engine/contract";
 import type { CameraState } from "../../view/types";
 import { FINGERPRINT_BYTES, type Claim, type Fingerprint, type SharedOrigin } from "../shared";
@@ -17,6 +16,8 @@ export const MAX_NUMBER = 2 ** 32;
 
 export const PROTOCOLS: readonly Protocol[] = ["definition", "published"];
 export const ORIGINS = ["files", "sample", "public"] as const;
+/** The measures of these versions, in the order of their bits. One declared since is in no link of theirs. */
+const MEASURES = ["DSC", "PPV", "TPR", "TNR", "NPV", "ACC", "MFE", "dHaus", "d1"] as const satisfies readonly Measure[];
 const OPTIONS = ["seed", "spacing", "noise", "outliers", "missing"] as const satisfies (keyof SampleOptions)[];
 const PROJECTIONS = ["perspective", "orthographic"] as const;
 
@@ -39,7 +40,11 @@ export function readSample(from: ByteReader): SharedOrigin {
 
 /** Which measures a claim has, a bit for each. */
 export function presence(mean: Claim["mean"]): number {
-  return MEASURES.reduce((mask, measure, bit) => (mean[measure] === null ? mask : mask | (1 << bit)), 0);
+  return MEASURES.reduce((mask, measure, bit) => (hasValue(mean[measure]) ? mask | (1 << bit) : mask), 0);
+}
+
+function hasValue(value: number | null | undefined): value is number {
+  return value !== null && value !== undefined;
 }
 
 /** What `presence` gives at most. */
@@ -52,8 +57,8 @@ export function writeMeans(out: ByteWriter, claims: readonly Claim[]): void {
   }
 }
 
-export function readMeans(from: ByteReader, present: readonly number[]): Record<Measure, number | null>[] {
-  const means = present.map(() => ({}) as Record<Measure, number | null>);
+export function readMeans(from: ByteReader, present: readonly number[]): Claim["mean"][] {
+  const means = present.map((): Partial<Record<Measure, number | null>> => ({}));
   MEASURES.forEach((measure, bit) => {
     const holders = range(present.length).filter((i) => at(present, i) & (1 << bit));
     const values = from.planes(holders.length);

@@ -2,10 +2,10 @@
 // and the deflated content in base64url.
 
 import { deflateSync, inflateSync } from "fflate";
-import { bare } from "../fragment";
+import { bare } from "../../state/fragment";
 import { fromBase64Url, toBase64Url } from "./base64url";
 import { ByteReader, ByteWriter, Damaged } from "./bytes";
-import { crc32 } from "./crc32";
+import { crc32 } from "../../../shared/crc32.mjs";
 
 /** Longest fragment that is read or written. Results of thirty-five models take about an eighth. */
 export const MAX_FRAGMENT = 32_768;

@@ -1,6 +1,6 @@
 // The fragment that holds results: `#share=2.…`.
 
-import { MARK } from "../fragment";
+import { MARK } from "../../state/fragment";
 import type { SharedResults } from "../shared";
 import { read, write, type FragmentFormat } from "./fragment-format";
 import * as version1 from "./version1";

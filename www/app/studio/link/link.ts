@@ -1,15 +1,16 @@
-// The fragment that holds a case: `#case=1.…`.
+// The fragment that holds a case: `#case=2.…`.
 
-import { bare } from "../../sharing/fragment";
+import { bare } from "../../state/fragment";
 import { read, write, type FragmentFormat } from "../../sharing/codec/fragment-format";
-import type { Case } from "../case";
+import type { LinkedCase } from "./linked";
 import * as version1 from "./version1";
+import * as version2 from "./version2";
 
-const FORMAT: FragmentFormat<Case> = {
+const FORMAT: FragmentFormat<LinkedCase> = {
   mark: "case=",
-  current: 1,
-  write: version1.write,
-  readers: { 1: version1.read },
+  current: 2,
+  write: version2.write,
+  readers: { 1: version1.read, 2: version2.read },
   tooMuch: "This case has more blocks or cuts than one link can hold. Save its files instead.",
 };
 
@@ -19,11 +20,11 @@ export function isCase(fragment: string): boolean {
 }
 
 /** The fragment, with its `#`. Throws a `RangeError` where there is more than a link can hold. */
-export function writeCase(of: Case): string {
-  return write(FORMAT, of);
+export function writeCase(linked: LinkedCase): string {
+  return write(FORMAT, linked);
 }
 
 /** Reads a fragment of any version there has been. Throws `Damaged`, with words for the reader. */
-export function readCase(fragment: string): Case {
+export function readCase(fragment: string): LinkedCase {
   return read(FORMAT, fragment);
 }

@@ -1,8 +1,9 @@
-// Version 1 of a case in a link. It is frozen: links of this version are out in the world, and a
-// change of layout needs a new version beside it.
+// Version 1 of a case in a link: read for ever, written no more but as part of version 2. It is frozen:
+// links of this version are out in the world, and a change of layout needs a new version beside it.
 
 import { ByteReader, ByteWriter, Damaged } from "../../sharing/codec/bytes";
 import { MAX_BLOCKS, type Base, type Block, type Case, type Cut, type Sampling, type Vector } from "../case";
+import type { LinkedCase } from "./linked";
 
 const MAX_SIZES = 16;
 const MAX_CUTS = 200;
@@ -12,8 +13,14 @@ const BASES = ["blocks", "sample"] as const;
 const OPERATIONS = ["add", "cut"] as const;
 const CUTS = ["ball", "lasso"] as const;
 
-export function write({ name, base, sampling, cuts }: Case): Uint8Array<ArrayBuffer> {
-  const out = new ByteWriter();
+export function read(bytes: Uint8Array<ArrayBuffer>): LinkedCase {
+  const from = new ByteReader(bytes);
+  const of = readCase(from);
+  from.end();
+  return { of };
+}
+
+export function writeCase(out: ByteWriter, { name, base, sampling, cuts }: Case): void {
   out.text(name);
   if (base.kind === "files") throw new RangeError("Only a case that is generated fits into a link.");
   out.u8(BASES.indexOf(base.kind));
@@ -23,17 +30,14 @@ export function write({ name, base, sampling, cuts }: Case): Uint8Array<ArrayBuf
   if (cuts.length > MAX_CUTS) throw new RangeError(`A link can hold up to ${MAX_CUTS} cuts. Save the files instead.`);
   out.whole(cuts.length);
   for (const cut of cuts) writeCut(out, cut);
-  return out.finish();
 }
 
-export function read(bytes: Uint8Array<ArrayBuffer>): Case {
-  const from = new ByteReader(bytes);
+export function readCase(from: ByteReader): Case {
   const name = from.text();
   const base: Base =
     oneOf(BASES, from.u8()) === "blocks" ? { kind: "blocks", blocks: readBlocks(from) } : { kind: "sample", part: from.text() };
   const sampling: Sampling = { spacing: from.f64(), noise: from.f64(), outliers: from.f64(), seed: seed(from.f64()) };
   const cuts = times(from.count(MAX_CUTS), () => readCut(from));
-  from.end();
   return { name, base, sampling, cuts };
 }
 

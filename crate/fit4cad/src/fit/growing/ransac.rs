@@ -40,7 +40,7 @@ pub fn split(
         if open.len() < smallest || vain >= draws_needed(open.len(), smallest) {
             return Ok(());
         }
-        let seed = open[search.random.usize(..open.len())];
+        let seed = open[search.random.below(open.len())];
         match draw(search, seed) {
             Some(candidate) => {
                 detect::keep(search, candidate, observer);
@@ -65,14 +65,14 @@ pub fn split(
 /// the first point decides).
 fn draws_needed(points: usize, smallest: usize) -> usize {
     let share = (smallest as f64 / points as f64).min(0.99);
-    let draws = MISSED.ln() / (1.0 - share).ln();
+    let draws = libm::log(MISSED) / libm::log(1.0 - share);
     (draws.ceil() as usize).clamp(1, MOST_DRAWS)
 }
 
 /// The best surface through minimal sets around a seed; where that leaves doubt, it competes with
 /// those through the whole neighbourhood.
 fn draw(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
-    let level = LEVELS[search.random.usize(..LEVELS.len())];
+    let level = LEVELS[search.random.below(LEVELS.len())];
     let patch = search.unexplained_near(seed, level);
     let mut candidates = Vec::new();
     if let Some(set) = minimal_set(search, &patch) {
@@ -98,8 +98,8 @@ fn minimal_set(search: &mut Search<'_>, patch: &[u32]) -> Option<[Oriented; 3]> 
     if others.len() < 2 {
         return None;
     }
-    let first = search.random.usize(..others.len());
-    let step = search.random.usize(1..others.len());
+    let first = search.random.below(others.len());
+    let step = 1 + search.random.below(others.len() - 1);
     let second = (first + step) % others.len();
     let oriented = |index: u32| Some((*search.point(index), normal(search, index)?));
     Some([
@@ -142,7 +142,7 @@ fn cone(set: &[Oriented; 3]) -> Option<Surface> {
     let [a, b, c] = set.map(|(p, _)| (p - apex).normalize());
     let axis = (b - a).cross(&(c - a)).try_normalize(1e-12)?;
     let half_angle = set
-        .map(|(_, n)| n.dot(&axis).abs().min(1.0).asin())
+        .map(|(_, n)| libm::asin(n.dot(&axis).abs().min(1.0)))
         .iter()
         .sum::<f64>()
         / 3.0;

@@ -3,7 +3,7 @@
 use crate::cloud::Point;
 use crate::cloud::neighbours::Neighbourhoods;
 use crate::cloud::normals::Spread;
-use crate::fit::scale::quantile;
+use crate::fit::quantile::quantile;
 
 /// Surface variation σ_n = λ₁ / (λ₁ + λ₂ + λ₃) of every point, over itself and its n nearest
 /// neighbours (as many of them as the graph holds). O(n).
@@ -69,11 +69,11 @@ pub fn threshold(values: &[f64], quantile_asked: f64) -> Threshold {
 
 /// The value that separates the logarithms of the values best.
 fn otsu(values: &[f64]) -> f64 {
-    let (low, high) = (FLAT.ln(), LARGEST.ln());
+    let (low, high) = (libm::log(FLAT), libm::log(LARGEST));
     let width = (high - low) / BINS as f64;
     let mut histogram = [0.0; BINS];
     for value in values {
-        let bin = (value.max(FLAT).ln() - low) / width;
+        let bin = (libm::log(value.max(FLAT)) - low) / width;
         histogram[(bin as usize).min(BINS - 1)] += 1.0;
     }
     let total: f64 = histogram.iter().sum();
@@ -96,7 +96,7 @@ fn otsu(values: &[f64]) -> f64 {
             }
         }
     }
-    (low + best.1 as f64 * width).exp()
+    libm::exp(low + best.1 as f64 * width)
 }
 
 #[cfg(test)]

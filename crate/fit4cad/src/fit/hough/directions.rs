@@ -49,7 +49,7 @@ impl DirectionSpace {
             return None;
         }
         let index = |component: f64| {
-            let angular = (component / dominant).atan() * std::f64::consts::FRAC_2_PI * 2.0;
+            let angular = libm::atan(component / dominant) * std::f64::consts::FRAC_2_PI * 2.0;
             let place = (angular + 1.0) * 0.5 * self.edge as f64;
             (place.max(0.0) as usize).min(self.edge - 1)
         };
@@ -76,7 +76,7 @@ impl DirectionSpace {
         let angle = angle.min(std::f64::consts::PI - angle);
         for cell in 0..self.len() {
             let cosine = self.direction_of(cell).dot(pole).abs().min(1.0);
-            if (cosine.acos() - angle).abs() <= 0.5 * self.step() {
+            if (libm::acos(cosine) - angle).abs() <= 0.5 * self.step() {
                 visit(cell);
             }
         }
@@ -91,7 +91,7 @@ impl DirectionSpace {
     /// another face.
     fn direction(&self, face: usize, row: f64, column: f64) -> Direction {
         let slope = |place: f64| {
-            ((2.0 * place / self.edge as f64 - 1.0) * std::f64::consts::FRAC_PI_4).tan()
+            libm::tan((2.0 * place / self.edge as f64 - 1.0) * std::f64::consts::FRAC_PI_4)
         };
         let mut vector = Vector::zeros();
         vector[face] = 1.0;

@@ -3,10 +3,11 @@
 
 use super::family::Region;
 use super::noisy;
+use super::pass::{Pass, block};
+use super::recorder::Recorder;
 use super::recurring::recurring_directions;
-use super::rounds::round;
+use super::rounds::{Work, round};
 use super::solutions;
-use super::trace::Recorder;
 use super::vote::{Spaces, Vote};
 use crate::fit::contest::Evidence;
 use crate::fit::thin::axis::known_axes;
@@ -24,10 +25,6 @@ const FIRST_VOTERS: u32 = 6000;
 /// Neighbourhoods that vote in one round. A face of a good size gets several votes, and a small
 /// batch wastes few on what the round's winners explain.
 const BATCH: usize = 48;
-/// Rounds, in batches of votes, over which votes that no winner explained are counted again.
-const HEARD: usize = 4;
-/// Points blocked around a seed of a mixed neighbourhood that leads nowhere.
-const BLOCK: usize = 8;
 /// The families that closed forms start well; a torus costs far more to try.
 const QUICK: [SurfaceType; 4] = [
     SurfaceType::Plane,
@@ -66,30 +63,6 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
     }
 }
 
-/// What a seed votes for; may also block points from being seeds.
-pub type Voter<'v> = dyn FnMut(&Search<'_>, u32, &mut Vec<Vote>, &mut [bool]) + 'v;
-
-/// How long a pass goes on.
-#[derive(Debug, Clone, Copy)]
-pub struct Pass {
-    /// Seeds without a vote after which it ends.
-    pub failures: usize,
-    /// Neighbourhoods that vote in one round.
-    pub batch: usize,
-    /// Share of the search done when it starts and when it ends.
-    pub progress: [f64; 2],
-}
-
-/// The spaces of a search and who follows it.
-pub struct Work<'o> {
-    /// The parameter spaces.
-    pub spaces: Spaces,
-    /// As `spaces`, with finer cells of lengths, for votes of exact rows of points.
-    fine: Spaces,
-    /// Follows the search.
-    pub recorder: Recorder<'o>,
-}
-
 impl Work<'_> {
     /// The search of a cloud whose points are on their surfaces: a handful that agree are no
     /// accident, so votes are trusted the more points they explain, the fewer the later.
@@ -102,7 +75,7 @@ impl Work<'_> {
                 batch: BATCH,
                 progress,
             };
-            self.pass(search, pass, &mut |search, seed, votes, _| {
+            pass.run(search, self, &mut |search, seed, votes, _| {
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= 10 {
                     votes.extend(solutions::pure_vote(search, seed, &patch));
@@ -116,7 +89,7 @@ impl Work<'_> {
                 batch: BATCH,
                 progress,
             };
-            self.pass(search, pass, &mut |search, seed, votes, _| {
+            pass.run(search, self, &mut |search, seed, votes, _| {
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= coaxial::FEWEST {
                     let found = coaxial::coaxial(search, &axes, &patch).into_iter();
@@ -132,7 +105,7 @@ impl Work<'_> {
             batch: BATCH,
             progress: [0.7, 0.72],
         };
-        self.pass(search, pass, &mut |search, seed, votes, blocked| {
+        pass.run(search, self, &mut |search, seed, votes, blocked| {
             let patch = search.unexplained_near(seed, 16);
             let before = votes.len();
             if patch.len() >= 8 {
@@ -151,7 +124,7 @@ impl Work<'_> {
             batch: BATCH,
             progress: [0.72, 0.8],
         };
-        self.pass(search, pass, &mut |search, seed, votes, blocked| {
+        pass.run(search, self, &mut |search, seed, votes, blocked| {
             let patch = search.unexplained_near(seed, 28);
             if patch.len() >= 12 {
                 mixed(search, seed, &patch, &[SurfaceType::Torus], votes, blocked);
@@ -164,7 +137,7 @@ impl Work<'_> {
                 batch: BATCH,
                 progress,
             };
-            self.pass(search, pass, &mut |search, seed, votes, blocked| {
+            pass.run(search, self, &mut |search, seed, votes, blocked| {
                 let patch = search.unexplained_near(seed, size);
                 if patch.len() >= 6 {
                     mixed(search, seed, &patch, &QUICK, votes, blocked);
@@ -208,60 +181,6 @@ impl Work<'_> {
         }
     }
 
-    /// Rounds of votes by unexplained points until each has been a seed, was blocked or is
-    /// explained, or too many seeds have led nowhere.
-    ///
-    /// # Errors
-    /// If the observer stops the fit.
-    pub fn pass(
-        &mut self,
-        search: &mut Search<'_>,
-        pass: Pass,
-        voter: &mut Voter<'_>,
-    ) -> Result<(), Cancelled> {
-        let order = search.shuffled_unexplained();
-        let mut blocked = vec![false; search.cloud.len()];
-        let mut votes = Vec::new();
-        let (mut fresh, mut failures) = (0, 0);
-        for (turn, &seed) in order.iter().enumerate() {
-            if search.is_explained(seed) || blocked[seed as usize] {
-                continue;
-            }
-            let before = votes.len();
-            voter(search, seed, &mut votes, &mut blocked);
-            if votes.len() == before {
-                failures += 1;
-                if failures > pass.failures {
-                    break;
-                }
-                continue;
-            }
-            fresh += 1;
-            if fresh == pass.batch {
-                // Votes that no winner explained stay and are counted again with the next.
-                let accepted = round(search, self, &votes, &mut Evidence::Own);
-                // Within noise every neighbourhood of a free-form region has a surface to vote for.
-                if accepted == 0 && search.scale.has_noise() {
-                    for vote in &votes {
-                        block(search.graph.of(vote.point), &mut blocked);
-                    }
-                }
-                votes.retain(|vote| !search.is_explained(vote.point));
-                let oldest = votes.len().saturating_sub(HEARD * pass.batch);
-                votes.drain(..oldest);
-                fresh = 0;
-                let [from, to] = pass.progress;
-                let share = turn as f64 / order.len() as f64;
-                self.recorder
-                    .progress(Stage::Find, from + (to - from) * share)?;
-            }
-        }
-        while round(search, self, &votes, &mut Evidence::Own) > 0 {
-            votes.retain(|vote| !search.is_explained(vote.point));
-        }
-        Ok(())
-    }
-
     /// Rounds of votes by points on open borders and those still unexplained. Returns how many
     /// surfaces were accepted. O(free points).
     fn borders(
@@ -300,11 +219,5 @@ fn mixed(
     solutions::mixed_votes(search, seed, patch, kinds, 1, votes);
     if votes.len() == before {
         block(patch, blocked);
-    }
-}
-
-fn block(patch: &[u32], blocked: &mut [bool]) {
-    for &index in patch.iter().take(BLOCK) {
-        blocked[index as usize] = true;
     }
 }

@@ -6,12 +6,10 @@
 //! votes for each cell its curve passes through. The fitter itself votes with small neighbourhoods
 //! (see [`vote`](super::vote)), whose curves have already been intersected.
 
-use nalgebra::UnitQuaternion;
-
 use super::grid::{Axis, Grid};
 use super::persistence::{self, Diagram};
 use super::space::Space;
-use crate::cloud::{Direction, Point, Vector};
+use crate::cloud::{self, Direction, Point, Vector};
 use crate::fit::axes::direction_of;
 use crate::surface::{Cone, Cylinder, Plane, Sphere, Surface, SurfaceType, Torus, across};
 
@@ -98,7 +96,7 @@ impl Slice {
             place.map(|place| values[place])
         };
         let move_by = |coordinate| value_of(coordinate).unwrap_or(0.0);
-        let turn = UnitQuaternion::from_axis_angle(&self.frame[0], move_by(Coordinate::Turn));
+        let turn = cloud::turn(&self.frame[0], move_by(Coordinate::Turn));
         let [across, beside, along] = self.frame.map(Direction::into_inner);
         let shift = across * move_by(Coordinate::Across)
             + beside * move_by(Coordinate::Beside)
@@ -191,7 +189,7 @@ impl Slice {
         };
         let place = self.free.iter().position(|&free| free == Coordinate::Turn);
         let angle = place.map_or(0.0, |place| values[place]);
-        let turn = UnitQuaternion::from_axis_angle(&self.frame[0], angle);
+        let turn = cloud::turn(&self.frame[0], angle);
         distance
             * plane
                 .normal

@@ -15,11 +15,12 @@
 //!   accumulator, persistence      𝓗 and its maxima above 10 % of the highest
 //! rounds                        summits → grown and polished → compete (`fit::contest`) → accepted
 //! recurring                     directions that the accepted surfaces have in common
-//! find, noisy                   rounds until nothing is left, without and with noise
-//! gamma, trace                  Γ_P of single points and everything above as data, for lessons
+//! pass                          rounds of votes by one kind of neighbourhood
+//! find, noisy                   passes until nothing is left, without and with noise
+//! gamma, trace, recorder        Γ_P of single points and everything above as data, for lessons
 //! ```
 //!
-//! On clouds without noise the search goes from neighbourhoods that cannot be wrong (all points on
+//! Clouds with much noise do not come here (see [`judge`](super::judge)). On clouds without the search goes from neighbourhoods that cannot be wrong (all points on
 //! one plane, on one quadric, on one curve turned about a known axis) to those that may be mixed, to
 //! the profiles of narrow extruded faces as wholes ([`profile`](super::profile)), and last to rings
 //! and chamfers with no interior points, which only the open borders of their neighbours show.
@@ -31,7 +32,9 @@ mod find;
 pub mod gamma;
 pub mod grid;
 mod noisy;
+mod pass;
 pub mod persistence;
+pub mod recorder;
 mod recurring;
 mod rounds;
 mod solutions;

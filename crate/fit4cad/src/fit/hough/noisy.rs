@@ -5,7 +5,8 @@
 //! grown as far as it goes, and only then do the candidates compete: a face is told from its strips
 //! by how much of the cloud it explains.
 
-use super::find::{Pass, Work};
+use super::pass::Pass;
+use super::rounds::Work;
 use super::solutions;
 use crate::fit::{Cancelled, Search, Stage, detect};
 use crate::surface::SurfaceType;
@@ -33,7 +34,7 @@ pub fn find(search: &mut Search<'_>, work: &mut Work<'_>) -> Result<(), Cancelle
             batch,
             progress,
         };
-        work.pass(search, pass, &mut |search, seed, votes, blocked| {
+        pass.run(search, work, &mut |search, seed, votes, blocked| {
             let patch = search.unexplained_near(seed, size);
             if 3 * patch.len() < 2 * size {
                 return;

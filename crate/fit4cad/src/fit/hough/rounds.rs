@@ -1,8 +1,8 @@
 //! One round of the transform: count the votes, pick the summits, polish, and let the candidates
 //! compete.
 
-use super::find::Work;
-use super::vote::{Summit, Vote};
+use super::recorder::Recorder;
+use super::vote::{Spaces, Summit, Vote};
 use crate::fit::contest::{Evidence, accept_winners};
 use crate::fit::least_squares::{self, Loss};
 use crate::fit::local;
@@ -11,6 +11,16 @@ use crate::surface::{Surface, SurfaceType};
 
 /// Points of a candidate from which a rival is fitted.
 const SAMPLE: usize = 200;
+
+/// The spaces of a search and who follows it.
+pub struct Work<'o> {
+    /// The parameter spaces.
+    pub spaces: Spaces,
+    /// As `spaces`, with finer cells of lengths, for votes of exact rows of points.
+    pub fine: Spaces,
+    /// Follows the search.
+    pub recorder: Recorder<'o>,
+}
 
 /// Counts the votes of all families and accepts the winners. Returns how many there were.
 pub fn round(

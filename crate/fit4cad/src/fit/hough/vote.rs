@@ -11,9 +11,8 @@ use super::accumulator::{Accumulator, Ballot};
 use super::directions::DirectionSpace;
 use super::family::{Region, Rung, Settled, ladder, surface};
 use super::grid::Grid;
-use super::persistence::Diagram;
+use super::recorder::{Recorder, View};
 use super::space::Space;
-use super::trace::Recorder;
 use crate::cloud::{Point, Vector};
 use crate::surface::{Surface, SurfaceType};
 
@@ -33,20 +32,6 @@ pub struct Summit {
     pub surface: Surface,
     /// Positions of its voters among the votes, ascending.
     pub voters: Vec<u32>,
-}
-
-/// What is seen while climbing: one accumulator with its persistence diagram.
-pub struct View<'a> {
-    /// The family.
-    pub kind: SurfaceType,
-    /// The rung.
-    pub rung: Rung,
-    /// What earlier rungs settled.
-    pub settled: &'a Settled,
-    /// The votes by cell.
-    pub accumulator: &'a Accumulator,
-    /// The maxima.
-    pub diagram: &'a Diagram,
 }
 
 /// The spaces of all families over one cloud.

@@ -217,8 +217,8 @@ impl ConeChart {
         Self {
             frame,
             slope,
-            sin_cos: slope.sin_cos(),
-            reach: height * slope.sin(),
+            sin_cos: libm::sincos(slope),
+            reach: height * libm::sin(slope),
         }
     }
 
@@ -258,8 +258,8 @@ impl Chart<6> for ConeChart {
         Self {
             frame: centred,
             slope,
-            sin_cos: slope.sin_cos(),
-            reach: reach + shift * slope.sin(),
+            sin_cos: libm::sincos(slope),
+            reach: reach + shift * libm::sin(slope),
         }
     }
 
@@ -272,7 +272,7 @@ impl Chart<6> for ConeChart {
             return None;
         }
         let axis = self.frame.axis.into_inner();
-        let apex = self.frame.point - axis * (self.reach / self.slope.sin());
+        let apex = self.frame.point - axis * (self.reach / libm::sin(self.slope));
         Some(Surface::Cone(Cone::new(apex.into(), axis, slope)))
     }
 }

@@ -17,9 +17,10 @@
 //! recurring   rows, accepted cylinders → circles and radii that recur
 //! partition   places in order → lines and arcs
 //! sections    all of it, and what is known
-//! faces       pieces → those that are proved
+//! faces       pieces → each a face, and those that are proved
 //! ```
 
+mod face;
 mod faces;
 mod partition;
 mod recurring;

@@ -150,7 +150,7 @@ fn arc(run: &[Place], tolerance: f64) -> Option<Curve> {
 fn goes_around(run: &[Place], centre: Place) -> bool {
     let angle = |pair: &[Place]| {
         let (a, b) = (from(centre, pair[0]), from(centre, pair[1]));
-        (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
+        libm::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])
     };
     let side = angle(&run[..2]).signum();
     run.windows(2)

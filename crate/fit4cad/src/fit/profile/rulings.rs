@@ -1,7 +1,7 @@
 //! Rulings: the rows of points in which a mesher lays out faces that were extruded.
 
 use crate::fit::Search;
-use crate::fit::scale::quantile;
+use crate::fit::quantile::quantile;
 use crate::fit::thin::plan::Plan;
 use crate::fit::thin::profile::{Place, apart};
 use crate::surface::Surface;

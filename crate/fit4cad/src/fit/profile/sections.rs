@@ -1,6 +1,6 @@
 //! The profiles along one direction, and what is known of them.
 
-use super::faces::Face;
+use super::face::Face;
 use super::rulings::{Ruling, rulings};
 use crate::cloud::Direction;
 use crate::fit::thin::chains::{Chain, chains};

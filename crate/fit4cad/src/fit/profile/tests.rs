@@ -2,6 +2,7 @@ use super::partition::tests::profile;
 use super::*;
 use crate::cloud::{Cloud, Point, Vector};
 use crate::fit::Parameters;
+use crate::random::Random;
 use crate::surface::{Plane, Surface, SurfaceType};
 
 /// Height of the rulings, in spacings.
@@ -112,7 +113,7 @@ fn flanks(stride: usize, teeth: usize) -> Vec<SurfaceType> {
     let places = profile(&[tooth.repeat(teeth), vec![land]].concat());
     let low = places.iter().map(|place| place[1]).fold(0.0, f64::min);
     let top = f64::from(HEIGHT);
-    let mut random = fastrand::Rng::with_seed(5);
+    let mut random = Random::new(5, 0);
     let mut points: Vec<Point> = Vec::new();
     for (number, &[x, y]) in places.iter().enumerate() {
         let ruling = (0..=HEIGHT).map(|z| Point::new(x, y, f64::from(z)));
@@ -125,7 +126,7 @@ fn flanks(stride: usize, teeth: usize) -> Vec<SurfaceType> {
         let [from, to] = [step[0], step[1]];
         // Lands and roots are more than rulings.
         if (from[1] - to[1]).abs() < 1e-9 {
-            let within = |_| Point::new(from[0] + random.f64(), from[1], top * random.f64());
+            let within = |_| Point::new(from[0] + random.unit(), from[1], top * random.unit());
             points.extend((0..8).map(within));
         }
     }

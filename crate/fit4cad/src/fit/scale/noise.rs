@@ -10,12 +10,12 @@
 //! The pile is sought as the half-sample mode is (Bickel and Frühwirth 2006): in the window of a
 //! given ratio with most residuals, here the lowest such window that is a maximum.
 
-use super::quantile;
 use crate::cloud::neighbours::{KdTree, Neighbourhoods};
 use crate::cloud::normals::Spread;
 use crate::cloud::{Ball, Point};
 use crate::fit::least_squares::{self, Fitted, Loss, degrees_of_freedom};
 use crate::fit::local::{self, CURVED, Curvature, through_sheet};
+use crate::fit::quantile::quantile;
 use crate::surface::{Surface, SurfaceType};
 
 /// Neighbourhoods looked at first; of a clean cloud no more are needed.
@@ -52,14 +52,14 @@ const MEDIANS: [f64; 2] = [0.94, 0.85];
 const ROUNDING: f64 = 0.2;
 
 /// Standard deviation σ of the points off their surfaces, at least `floor`, below which differences
-/// do not matter. A few thousand small fits, whatever the size of the cloud.
+/// do not matter; and whether they are off because their coordinates were rounded. A few thousand small fits, whatever the size of the cloud.
 pub fn noise(
     points: &[Point],
     tree: &KdTree,
     graph: &Neighbourhoods,
     spacing: f64,
     floor: f64,
-) -> f64 {
+) -> (f64, bool) {
     let fine = FEW_EXACT * floor;
     let rounding = rounding(points, spacing, floor);
     let [mut whole, mut few] = [const { Vec::new() }; 2];
@@ -94,7 +94,7 @@ pub fn noise(
     if let Some(step) = rounding {
         let shown = shown_within(&whole, step) + shown_within(&few, step);
         if shown >= FEWEST_EXACT.1 {
-            return (step / 12f64.sqrt()).max(floor);
+            return ((step / 12f64.sqrt()).max(floor), true);
         }
     }
     let (share, least) = FEWEST_EXACT;
@@ -103,7 +103,7 @@ pub fn noise(
         exact += on_thin_shells(points, tree, &inexact, fine, enough - exact);
     }
     if exact >= enough {
-        return floor;
+        return (floor, false);
     }
     let piles = [lowest_pile(&whole), lowest_pile(&few)];
     let noise = match [
@@ -115,7 +115,7 @@ pub fn noise(
         [Some(whole), _] => whole,
         [None, few] => few.unwrap_or_else(|| quantile(&mut whole, 0.3)),
     };
-    noise.max(floor)
+    (noise.max(floor), false)
 }
 
 /// Indices in an order of which every beginning is spread evenly over all of them.
@@ -270,13 +270,13 @@ fn lowest_pile(residuals: &[f64]) -> Option<f64> {
 /// The step of the decimal lattice that all coordinates are on: those of a file written with few
 /// digits. `None` where it is finer than matters, or so wide that points may have been placed on it.
 fn rounding(points: &[Point], spacing: f64, floor: f64) -> Option<f64> {
-    let highest = (ROUNDING * spacing).log10().floor();
+    let highest = libm::log10(ROUNDING * spacing).floor();
     let is_on = |x: f64, step: f64| {
         let place = x / step;
         (place - place.round()).abs() <= 1e-6 + 4.0 * f64::EPSILON * place.abs()
     };
     (0..12)
-        .map(|digits| 10f64.powf(highest - f64::from(digits)))
+        .map(|digits| libm::pow(10f64, highest - f64::from(digits)))
         .take_while(|step| *step > floor)
         .find(|&step| points.iter().all(|p| p.iter().all(|&x| is_on(x, step))))
 }

@@ -4,6 +4,7 @@ use nalgebra::UnitQuaternion;
 
 use super::*;
 use crate::cloud::Vector;
+use crate::random::Random;
 
 fn measured(points: Vec<Point>, tolerance: f64) -> Scale {
     let tree = KdTree::new(&points);
@@ -32,8 +33,8 @@ fn ball() -> Vec<Point> {
 
 /// Displaces every coordinate by normal deviates: the sum of twelve uniform ones, less its mean.
 fn shaken(points: &[Point], sigma: f64, seed: u64) -> Vec<Point> {
-    let mut random = fastrand::Rng::with_seed(seed);
-    let mut normal = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+    let mut random = Random::new(seed, 0);
+    let mut normal = || (0..12).map(|_| random.unit()).sum::<f64>() - 6.0;
     points
         .iter()
         .map(|p| p + Vector::new(normal(), normal(), normal()) * sigma)

@@ -23,7 +23,7 @@ pub fn widest_gap<'p>(
     let mut angles: Vec<f64> = around
         .map(|point| {
             let step = point - middle;
-            step.dot(&second).atan2(step.dot(&first))
+            libm::atan2(step.dot(&second), step.dot(&first))
         })
         .collect();
     angles.sort_by(f64::total_cmp);

@@ -12,7 +12,7 @@ use super::patches::Patch;
 use super::polygon::Polygon;
 use crate::cloud::Point;
 use crate::cloud::neighbours::{KdTree, Neighbour};
-use crate::fit::scale::quantile;
+use crate::fit::quantile::quantile;
 use crate::fit::thin::chains::chains;
 use crate::fit::thin::plan::Plan;
 use crate::fit::thin::profile::Place;

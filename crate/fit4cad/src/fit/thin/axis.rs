@@ -122,7 +122,7 @@ impl KnownAxis {
             return Surface::Cylinder(Cylinder::new(self.point, axis, radius));
         }
         let apex = self.at(a.height - a.radius * rise / run);
-        Surface::Cone(Cone::new(apex, axis, (run / rise).abs().atan()))
+        Surface::Cone(Cone::new(apex, axis, libm::atan((run / rise).abs())))
     }
 
     /// The surface of revolution of a circle: a sphere where its centre is on the axis.

@@ -135,12 +135,12 @@ fn around(normal: &Direction, seen: impl Iterator<Item = (u32, Vector)>, steps: 
     steps.extend(flat.into_iter().map(|(to, step)| {
         let turned = even * step;
         Step {
-            angle: turned.y.atan2(turned.x),
+            angle: libm::atan2(turned.y, turned.x),
             length: turned.norm(),
             to,
         }
     }));
-    steps.sort_unstable_by(|a, b| a.angle.total_cmp(&b.angle));
+    steps.sort_by(|a, b| a.angle.total_cmp(&b.angle));
 }
 
 /// The widest angle without a step, and the angles at which it begins and ends; a full turn for

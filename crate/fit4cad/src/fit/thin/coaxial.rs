@@ -74,7 +74,7 @@ fn turned(axis: &KnownAxis, places: &[Profile], tolerance: f64) -> Option<Surfac
         let on_line = |place: &Profile| {
             let (u, v) = (b.radius - a.radius, b.height - a.height);
             let cross = u * (place.height - a.height) - v * (place.radius - a.radius);
-            cross.abs() <= tolerance * u.hypot(v)
+            cross.abs() <= tolerance * libm::hypot(u, v)
         };
         if places.iter().all(on_line) {
             return Some(line);
@@ -211,15 +211,15 @@ fn blend(
     let sine = |t: &Profile| (chord.radius * t.height - chord.height * t.radius) / length;
     let cosine = |t: &Profile| (chord.radius * t.radius + chord.height * t.height) / length;
     // The tangent-chord angle, lines having no direction.
-    let angle = |t: &Profile| (sine(t) / cosine(t)).atan();
+    let angle = |t: &Profile| libm::atan(sine(t) / cosine(t));
     let (first, second) = (angle(&at_a), angle(&at_b));
     if (first + second).abs() > TANGENT || first.abs() < 10.0 * TANGENT {
         return None;
     }
     // The centre is on the normal at a; the chord subtends twice the tangent-chord angle.
-    let radius = 0.5 * length / first.sin().abs();
+    let radius = 0.5 * length / libm::sin(first).abs();
     let (middle_r, middle_h) = (0.5 * (a.radius + b.radius), 0.5 * (a.height + b.height));
-    let rise = 0.5 * length / first.tan();
+    let rise = 0.5 * length / libm::tan(first);
     let centre = Profile {
         radius: middle_r + chord.height / length * rise,
         height: middle_h - chord.radius / length * rise,

@@ -7,15 +7,15 @@ pub(super) const EMPTY: Kind = Kind {
     subject: Subject::File,
     severity: Severity::Error,
     message: "The cloud file is empty",
-    expected: "`Points:=[` and one `[x, y, z],` per line",
+    expected: "a point a line, `[x, y, z],` or `x y z`",
     hint: "Fetch the file again",
 };
 pub(super) const NO_POINTS: Kind = Kind {
     subject: Subject::File,
     severity: Severity::Error,
     message: "The cloud file holds no point that could be read",
-    expected: "`Points:=[` and one `[x, y, z],` per line",
-    hint: "",
+    expected: "a point a line, `[x, y, z],` or `x y z`",
+    hint: "If it is no cloud, set its role or leave it out",
 };
 pub(super) const OTHER_FILE: Kind = Kind {
     subject: Subject::File,
@@ -35,15 +35,29 @@ pub(super) const JUNK: Kind = Kind {
     subject: Subject::Syntax,
     severity: Severity::Warning,
     message: "A line is not a point and was skipped",
-    expected: "`[x, y, z],`",
+    expected: "a point, `[x, y, z],` or `x y z`",
     hint: "It takes no point number; begin remarks with # or %",
+};
+pub(super) const COUNT: Kind = Kind {
+    subject: Subject::Syntax,
+    severity: Severity::Note,
+    message: "The cloud begins with a number of points",
+    expected: "`Points:=[`",
+    hint: "It takes no point number",
 };
 pub(super) const BROKEN_ROW: Kind = Kind {
     subject: Subject::Point,
     severity: Severity::Error,
     message: "A point could not be read",
-    expected: "three finite numbers, `[x, y, z],`",
+    expected: "three finite numbers, `[x, y, z],` or `x y z`",
     hint: "It keeps its number and is left out; write decimals with a point",
+};
+pub(super) const TOO_FAR: Kind = Kind {
+    subject: Subject::Point,
+    severity: Severity::Error,
+    message: "A point is too far away to compute with",
+    expected: "coordinates up to 1e30",
+    hint: "It keeps its number and is left out; choose another unit",
 };
 pub(super) const CUT_OFF: Kind = Kind {
     subject: Subject::File,
@@ -93,4 +107,25 @@ pub(super) const TOO_MANY: Kind = Kind {
     message: "The cloud has too many points; the rest was not read",
     expected: "at most 10,000,000 points",
     hint: "Thin the cloud",
+};
+pub(super) const COLUMNS: Kind = Kind {
+    subject: Subject::Syntax,
+    severity: Severity::Note,
+    message: "There are more columns than coordinates",
+    expected: "",
+    hint: "Where that is wrong, name the columns in a first line: x y z nx ny nz label",
+};
+pub(super) const BAD_LABEL: Kind = Kind {
+    subject: Subject::Point,
+    severity: Severity::Warning,
+    message: "A point has no label that could be read",
+    expected: "a whole number, -1 for none",
+    hint: "It belongs to no segment",
+};
+pub(super) const MISCOUNTED: Kind = Kind {
+    subject: Subject::Point,
+    severity: Severity::Warning,
+    message: "The cloud has another number of points than it says",
+    expected: "",
+    hint: "If the file was cut off, fetch it again",
 };

@@ -1,46 +1,141 @@
-//! Reading `PCi.txt`: `Points:=[`, one `[x, y, z], ` per line, ` ];`.
+//! Reading a cloud: the benchmark's `PCi.txt` (`Points:=[`, one `[x, y, z], ` per line, ` ];`), or a
+//! table of any kind (`table`).
 //!
 //! Rows in the paper's form take [`paper_row`], which looks at each byte once and allocates
 //! nothing; any other row is read again, slowly, by [`OddRow`]. On one core of an AMD EPYC that is
-//! 750 MB/s natively; bare columns and coordinates of 17 digits, which the standard library rounds,
-//! take 270 MB/s (`examples/reading_speed.rs`).
+//! 750 MB/s natively; coordinates of 17 digits, which the standard library rounds, take 270 MB/s
+//! (`examples/reading_speed.rs`).
 
+mod columns;
 mod kinds;
 mod row;
+mod table;
+
+pub(super) use columns::Columns;
 
 use kinds::{
-    AFTER_END, BROKEN_ROW, CUT_OFF, EMPTY, JUNK, NO_BRACKETS, NO_COMMAS, NO_HEADER, NO_POINTS,
-    NO_ROW_END, NOT_CLOSED, OTHER_FILE, TOO_MANY,
+    AFTER_END, BROKEN_ROW, COUNT, CUT_OFF, EMPTY, JUNK, NO_BRACKETS, NO_COMMAS, NO_HEADER,
+    NO_POINTS, NO_ROW_END, NOT_CLOSED, OTHER_FILE, TOO_FAR, TOO_MANY,
 };
 use row::{OddRow, paper_row};
 
+use super::encoding;
 use super::findings::{Findings, is_blank, open};
+use super::labels::Segment;
 use super::limits::MAX_POINTS;
 use super::number;
-use super::numbering::Numbering;
 use super::scan::{self, Cursor, is_remark, is_separator, is_whitespace};
-use crate::cloud::{Cloud, Point};
+use crate::cloud::{Cloud, LARGEST, Numbering, Point};
 use crate::diagnostics::Diagnostic;
 
-/// A cloud as read, and what its file's point numbers mean.
+/// What a file of points holds.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct CloudText {
-    /// The points that could be read.
+pub struct CloudFile {
+    /// The points.
     pub cloud: Cloud,
-    /// From point numbers, as the primitives file uses them, to indices into the cloud.
-    pub numbering: Numbering,
+    /// Which of them belong together, where the file says so.
+    pub segments: Option<Vec<Segment>>,
 }
 
-/// Reads a cloud file. Linear in its length, one pass.
+/// Reads a cloud file of text. Linear in its length, one pass.
 ///
-/// Anything but the paper's form is read as far as its meaning is plain (rows without commas or
-/// brackets, MATLAB's `Points=[1 2 3; …]`, a missing header or end, remarks) with a finding. A row
-/// that is not three finite numbers keeps its number and has no point ([`Numbering`]).
-pub fn read_cloud(file: &str, bytes: &[u8]) -> (CloudText, Vec<Diagnostic>) {
+/// The paper's form is read as far as its meaning is plain (MATLAB's `Points=[1 2 3; …]`, a missing
+/// header or end, remarks) with a finding. Anything else is a table: a point a line, its numbers
+/// separated by blanks, tabs, commas or semicolons, with decimal commas where they can be nothing
+/// else; a line of names, a number of points and remarks may come first, other columns after the
+/// coordinates. A row that is not three finite numbers keeps its number and has no point
+/// ([`Cloud::numbering`]); what comes before the first row has no number.
+pub fn read_cloud(file: &str, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
+    // Point2CAD's ending says what the last column is.
+    let ending = file.rsplit_once('.').map(|(_, ending)| ending);
+    let labelled = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("xyzc"));
+    read_cloud_with(file, bytes, labelled)
+}
+
+/// As [`read_cloud`], of a file that is known to have labels, or not.
+pub(super) fn read_cloud_with(
+    file: &str,
+    bytes: &[u8],
+    labelled: bool,
+) -> (CloudFile, Vec<Diagnostic>) {
+    let bytes = &*encoding::utf8(bytes);
     match open(file, bytes) {
-        Ok((findings, cursor)) => Reader::new(findings, cursor).read(),
-        Err(diagnostics) => (CloudText::default(), diagnostics),
+        Ok((findings, cursor)) => read_text(labelled, findings, cursor),
+        Err(diagnostics) => (CloudFile::default(), diagnostics),
     }
+}
+
+fn read_text(
+    labelled: bool,
+    findings: Findings<'_>,
+    cursor: Cursor<'_>,
+) -> (CloudFile, Vec<Diagnostic>) {
+    if is_blank(cursor.clone()) || is_in_the_papers_form(cursor.clone()) {
+        return read_papers_form(findings, cursor);
+    }
+    table::read(findings, cursor, labelled)
+}
+
+/// Reads a cloud in the paper's form alone.
+pub(super) fn read_own(file: &str, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
+    let bytes = &*encoding::utf8(bytes);
+    match open(file, bytes) {
+        Ok((findings, cursor)) => read_papers_form(findings, cursor),
+        Err(diagnostics) => (CloudFile::default(), diagnostics),
+    }
+}
+
+/// Whether a text is in the paper's form, or is none that could be read in any.
+pub(super) fn is_own(file: &str, bytes: &[u8]) -> bool {
+    let bytes = &*encoding::utf8(bytes);
+    open(file, bytes).map_or(true, |(_, cursor)| {
+        is_blank(cursor.clone()) || is_in_the_papers_form(cursor)
+    })
+}
+
+fn read_papers_form(
+    mut findings: Findings<'_>,
+    cursor: Cursor<'_>,
+) -> (CloudFile, Vec<Diagnostic>) {
+    if is_blank(cursor.clone()) {
+        findings.add_whole(&EMPTY, String::new());
+        return (CloudFile::default(), findings.finish());
+    }
+    let (cloud, diagnostics) = Reader::new(findings, cursor).read();
+    let file = CloudFile {
+        cloud,
+        segments: None,
+    };
+    (file, diagnostics)
+}
+
+/// Whether the first thing in a text, remarks and a number of points aside, is a bracket, or a word
+/// by which one of the benchmark's files begins.
+fn is_in_the_papers_form(mut cursor: Cursor<'_>) -> bool {
+    loop {
+        cursor.skip_whitespace();
+        match cursor.peek() {
+            Some(b'[') => return true,
+            Some(byte) if is_remark(byte) => cursor.skip_line(),
+            Some(b'0'..=b'9') if at_count(&cursor) => cursor.skip_line(),
+            Some(byte) if byte.is_ascii_alphabetic() => {
+                let word = cursor.word();
+                let keyword = word.get(..9).unwrap_or(word);
+                cursor.skip_while(|byte| is_whitespace(byte) || matches!(byte, b':' | b'='));
+                return word.eq_ignore_ascii_case(b"points") && cursor.peek() == Some(b'[')
+                    || keyword.eq_ignore_ascii_case(b"primitive");
+            }
+            _ => return false,
+        }
+    }
+}
+
+/// Whether a line begins here that holds one whole number and nothing else.
+fn at_count(cursor: &Cursor<'_>) -> bool {
+    let mut ahead = cursor.clone();
+    ahead.skip_while(|byte| byte.is_ascii_digit());
+    ahead.skip_while(|byte| matches!(byte, b' ' | b'\t'));
+    matches!(ahead.peek(), Some(b'\n' | b'\r'))
 }
 
 /// Rows read before the length of the rest is estimated from them.
@@ -66,22 +161,19 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn read(mut self) -> (CloudText, Vec<Diagnostic>) {
-        if is_blank(self.cursor.clone()) {
-            self.findings.add_whole(&EMPTY, String::new());
-        } else {
-            self.read_rows();
-            if self.points.is_empty() {
-                self.findings.add_whole(&NO_POINTS, String::new());
-            }
+    fn read(mut self) -> (Cloud, Vec<Diagnostic>) {
+        self.read_rows();
+        if self.points.is_empty() {
+            self.findings.add_whole(&NO_POINTS, String::new());
         }
         // The first rows may be shorter than the others, and the guess by them too large.
         self.points.shrink_to_fit();
-        let text = CloudText {
-            numbering: Numbering::with_broken(self.rows(), self.broken),
-            cloud: Cloud::new(self.points),
-        };
-        (text, self.findings.finish())
+        let rows = self.rows();
+        let numbering = Numbering::with_broken(rows, self.broken);
+        (
+            Cloud::numbered(self.points, numbering),
+            self.findings.finish_rows(rows),
+        )
     }
 
     fn read_rows(&mut self) {
@@ -102,6 +194,10 @@ impl<'a> Reader<'a> {
                     self.cursor.at += 1;
                     return self.end();
                 }
+                Some(b'0'..=b'9') if self.rows() == 0 && at_count(&self.cursor) => {
+                    self.findings.add(&COUNT, at);
+                    self.cursor.skip_line();
+                }
                 Some(b'0'..=b'9' | b'+' | b'-' | b'.') => {
                     self.findings.add(&NO_BRACKETS, at);
                     self.odd_row(false);
@@ -112,10 +208,7 @@ impl<'a> Reader<'a> {
                         return;
                     }
                 }
-                Some(_) => {
-                    self.findings.add(&JUNK, at);
-                    self.cursor.skip_line();
-                }
+                Some(_) => self.junk(at),
                 None => return self.findings.add(&NOT_CLOSED, at),
             }
             if self.rows() >= MAX_POINTS {
@@ -134,6 +227,13 @@ impl<'a> Reader<'a> {
             self.findings.add(&NO_HEADER, at);
         }
         match point {
+            // NaN is in no range, and infinities are not read.
+            Some(point) if point.coords.amax() > LARGEST => {
+                let bytes = self.cursor.bytes();
+                self.findings
+                    .add_row(&TOO_FAR, at, || scan::excerpt(bytes, at));
+                self.broken.push(self.rows() as u32);
+            }
             Some(point) => self.points.push(point),
             None => self.broken.push(self.rows() as u32),
         }
@@ -181,10 +281,16 @@ impl<'a> Reader<'a> {
             self.cursor.at = at;
             self.odd_row(false);
         } else {
-            self.findings.add(&JUNK, at);
-            self.cursor.skip_line();
+            self.junk(at);
         }
         true
+    }
+
+    fn junk(&mut self, at: usize) {
+        let bytes = self.cursor.bytes();
+        self.findings
+            .add_row(&JUNK, at, || scan::excerpt(bytes, at));
+        self.cursor.skip_line();
     }
 
     /// Whether a whole row begins here, rather than the list.
@@ -262,11 +368,10 @@ impl<'a> Reader<'a> {
             let bytes = self.cursor.bytes();
             let at = row.wrong.unwrap_or(start);
             let count = row.count;
-            self.findings
-                .add_found(&BROKEN_ROW, at, || match row.wrong {
-                    Some(at) => scan::token(bytes, at),
-                    None => format!("{count} numbers"),
-                });
+            self.findings.add_row(&BROKEN_ROW, at, || match row.wrong {
+                Some(at) => scan::token(bytes, at),
+                None => format!("{count} numbers"),
+            });
         } else if let Some(at) = row.no_comma {
             self.findings.add(&NO_COMMAS, at);
         }

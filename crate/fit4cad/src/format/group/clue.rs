@@ -2,6 +2,7 @@
 
 use super::Override;
 use crate::format::Role;
+use crate::format::files::{self, FILE_KINDS, Holds};
 
 /// What is known of a file from its path, or from what the caller said about it.
 #[derive(Debug, Clone)]
@@ -21,6 +22,10 @@ pub(super) struct Clue<'a> {
     pub(super) in_role_folder: bool,
     /// The model the caller names for it, in lower case.
     pub(super) model: Option<String>,
+    /// Place of its kind among [`FILE_KINDS`].
+    pub(super) kind: usize,
+    /// Whether nothing says if it is a cloud or holds segments of one.
+    pub(super) is_open: bool,
 }
 
 /// What becomes of a path.
@@ -29,13 +34,15 @@ pub(super) enum Sorted<'a> {
     File(Clue<'a>),
     /// Left by an operating system.
     Litter,
+    /// A picture, a program or a document.
+    Other,
     /// A folder's own entry in an archive.
     Folder,
-    Unknown(&'static str),
+    Unknown(String),
 }
 
-/// Texts that come with data sets and are no clouds.
-const OTHER_TEXTS: [&str; 9] = [
+/// Words in the names of texts that come with data sets and are no clouds.
+const OTHER_TEXTS: [&str; 19] = [
     "readme",
     "license",
     "licence",
@@ -45,6 +52,16 @@ const OTHER_TEXTS: [&str; 9] = [
     "requirements",
     "cmakelists",
     "notes",
+    "colors",
+    "colours",
+    "colormap",
+    "palette",
+    "boxplot",
+    "scores",
+    "metrics",
+    "config",
+    "settings",
+    "filelist",
 ];
 
 /// Judges a path. Folders are separated by `/` or `\`.
@@ -67,10 +84,16 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         return Sorted::Litter;
     }
     let said_role = said.and_then(|said| said.role);
-    let Some(stem) = strip_txt(name).or(said_role.map(|_| name)) else {
+    let known = files::kind_of(name);
+    let Some((kind, stem)) = known.or(said_role.map(|_| (FILE_KINDS.len(), name))) else {
+        if files::is_of_other_kind(name) {
+            return Sorted::Other;
+        }
         return Sorted::Unknown(match name.rsplit_once('.') {
-            Some((_, "zip" | "gz" | "7z" | "rar" | "tar")) => "an archive within; unpack it first",
-            _ => "not a .txt file",
+            Some((_, "zip" | "gz" | "7z" | "rar" | "tar")) => {
+                "an archive within; unpack it first".to_owned()
+            }
+            _ => format!("not of a kind that is read: {}", files::endings()),
         });
     };
     let FileName {
@@ -92,23 +115,25 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         folders.truncate(depth);
         break;
     }
-    if role.is_none()
-        && said_role.is_none()
-        && OTHER_TEXTS
-            .iter()
-            .any(|other| stem.eq_ignore_ascii_case(other))
-    {
-        return Sorted::Unknown("its name is not that of a model's file");
+    if role.is_none() && said_role.is_none() && names_other_text(&stem) {
+        return Sorted::Unknown("its name is not that of a model's file".to_owned());
     }
+    let holds = FILE_KINDS.get(kind).map(|kind| kind.holds);
+    let usual = match holds {
+        Some(Holds::Segments) => Role::Primitives,
+        _ => Role::Cloud,
+    };
     let mut clue = Clue {
         path,
         base: folders,
         stem,
-        role: said_role.or(role).unwrap_or(Role::Cloud),
+        role: said_role.or(role).unwrap_or(usual),
         method: method.filter(|method| !names_truth(method)),
         is_truth: false,
         in_role_folder,
         model: None,
+        kind,
+        is_open: said_role.or(role).is_none() && holds == Some(Holds::Either),
     };
     if let Some(said) = said {
         clue.heed(said);
@@ -141,21 +166,20 @@ fn is_litter(name: &str) -> bool {
             .any(|litter| name.eq_ignore_ascii_case(litter))
 }
 
-fn strip_txt(name: &str) -> Option<&str> {
-    let dot = name.len().checked_sub(4)?;
-    name.get(dot..)?
-        .eq_ignore_ascii_case(".txt")
-        .then(|| name.get(..dot))?
+/// Whether one of the words of a name says that it is no cloud's.
+fn names_other_text(stem: &str) -> bool {
+    stem.split(['_', '-', ' ', '.']).any(|word| {
+        OTHER_TEXTS
+            .iter()
+            .any(|other| word.eq_ignore_ascii_case(other))
+    })
 }
 
-/// Whether a folder or method name means the ground truth.
-pub(super) fn names_truth(name: &str) -> bool {
-    let letters: String = name
-        .chars()
-        .filter(char::is_ascii_alphabetic)
-        .collect::<String>()
-        .to_ascii_lowercase();
-    matches!(letters.as_str(), "truth" | "groundtruth" | "gt")
+/// Whether a folder or method name means the ground truth. What joins its words does not matter; a
+/// digit does: "GT0" is somebody's method.
+pub(in crate::format) fn names_truth(name: &str) -> bool {
+    let word: String = name.chars().filter(|it| it.is_alphanumeric()).collect();
+    matches!(word.to_lowercase().as_str(), "truth" | "groundtruth" | "gt")
 }
 
 /// The parts of a file's name: `PC1.txt`, `PC1_primitives.txt`, `PC1_primitives_HT.txt`.
@@ -193,7 +217,8 @@ impl FileName {
 
 fn role_word(word: &str) -> Option<Role> {
     match word.to_ascii_lowercase().as_str() {
-        "primitives" | "primitive" => Some(Role::Primitives),
+        "primitives" | "primitive" | "labels" | "label" | "inst" | "instance" | "instances"
+        | "seg" | "segments" | "segmentation" => Some(Role::Primitives),
         "parametric" => Some(Role::Parametric),
         "implicit" => Some(Role::Implicit),
         _ => None,

@@ -11,6 +11,7 @@ mod tests;
 use std::collections::{BTreeMap, BTreeSet};
 
 use clue::Sorted;
+pub(super) use clue::names_truth;
 pub use naming::model_number;
 
 use super::Role;
@@ -24,6 +25,8 @@ pub struct Override {
     pub model: Option<String>,
     /// Whose result it is; empty for ground truth.
     pub method: Option<String>,
+    /// What its indices of points count from: 0, or 1 as the benchmark's do.
+    pub first: Option<u8>,
 }
 
 /// Files sorted into models.
@@ -31,7 +34,8 @@ pub struct Override {
 pub struct Grouping {
     /// The models in the order people count: PC2 before PC10.
     pub models: Vec<ModelFiles>,
-    /// Files that belong to no model as far as can be told, in the order of their paths.
+    /// Files that belong to no model as far as can be told, in the order of their paths. Pictures,
+    /// programs and documents stand here as the first of them.
     pub unplaced: Vec<Unplaced>,
     /// How many files were passed over as litter (`.DS_Store`, `Icon\r`, `__MACOSX`, …).
     pub ignored: usize,
@@ -57,6 +61,8 @@ pub struct PlacedFile {
     pub role: Role,
     /// Whose result it is; `None` for the cloud and the ground truth.
     pub method: Option<String>,
+    /// What its indices of points count from, where the caller says so.
+    pub first: Option<u8>,
 }
 
 /// A file without a place.
@@ -70,7 +76,8 @@ pub struct Unplaced {
 
 /// Sorts files into models by their paths alone.
 ///
-/// Knows the layouts of the benchmark: all files of a set in one folder, or one folder per role
+/// What is looked at are the endings of [`FILE_KINDS`](super::FILE_KINDS). Knows the layouts of the
+/// benchmark: all files of a set in one folder, or one folder per role
 /// (`pointCloud`, `pointCloud_primitives`, …) and per role and method (`pointCloud_primitives_HT`),
 /// nested in whatever folders an archive adds, in any case. A file beside its cloud is ground
 /// truth; one in a folder of its own is the result of a method named after that folder. Models of
@@ -82,6 +89,7 @@ pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>)
     let mut grouping = Grouping::default();
     let mut seen = BTreeSet::new();
     let mut clues = Vec::new();
+    let mut others = Vec::new();
     for path in paths {
         if !seen.insert(path) {
             grouping.reject(path, "the same path was given twice".to_owned());
@@ -90,12 +98,28 @@ pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>)
         match clue::sort(path, overrides.get(path)) {
             Sorted::File(clue) => clues.push(clue),
             Sorted::Litter => grouping.ignored += 1,
+            Sorted::Other => others.push(path),
             Sorted::Folder => {}
-            Sorted::Unknown(reason) => grouping.reject(path, reason.to_owned()),
+            Sorted::Unknown(reason) => grouping.reject(path, reason),
         }
+    }
+    if let Some((first, more)) = others.split_first() {
+        let reason = match more.len() {
+            0 => "a picture, a program or a document".to_owned(),
+            1 => "a picture, a program or a document, as is one more file".to_owned(),
+            more => format!("a picture, a program or a document, as are {more} more files"),
+        };
+        grouping.reject(first, reason);
     }
     let models = placing::place(clues, &mut grouping);
     grouping.models = naming::name(models);
+    for file in grouping
+        .models
+        .iter_mut()
+        .flat_map(|model| &mut model.files)
+    {
+        file.first = overrides.get(&file.path).and_then(|said| said.first);
+    }
     grouping
         .unplaced
         .sort_by(|a, b| natural::compare(&a.path, &b.path));

@@ -102,11 +102,13 @@ fn files(draft: Draft<'_>) -> Vec<PlacedFile> {
         path: draft.cloud.path.to_owned(),
         role: Role::Cloud,
         method: None,
+        first: None,
     }];
     files.extend(draft.files.iter().map(|((owner, role), path)| PlacedFile {
         path: (*path).to_owned(),
         role: *role,
         method: names.get(owner).cloned(),
+        first: None,
     }));
     files.sort_by(|a, b| {
         (a.role != Role::Cloud)

@@ -37,8 +37,12 @@ const NAMELESS: &str = "submission";
 
 /// Gives each file a place in a model, or a reason why it has none.
 pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Draft<'a>> {
-    let (clouds, others): (Vec<_>, Vec<_>) =
+    let mut clues = clues;
+    settle(&mut clues);
+    let (mut clouds, others): (Vec<_>, Vec<_>) =
         clues.into_iter().partition(|clue| clue.role == Role::Cloud);
+    // Where two could be the same cloud, that of the kind named first is it.
+    clouds.sort_by_key(|clue| clue.kind);
     let mut shelf = Shelf::default();
     for cloud in clouds {
         shelf.add_cloud(cloud, grouping);
@@ -74,6 +78,50 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
         shelf.put(model, owner, &clue, grouping);
     }
     shelf.models
+}
+
+/// Words behind a model's name that make a file its segments.
+const OF_A_MODEL: [&str; 7] = [
+    "pred",
+    "prediction",
+    "predicted",
+    "result",
+    "gt",
+    "truth",
+    "labelled",
+];
+
+/// Makes segments of the files that could be clouds as well and lie beside or below a cloud of their
+/// name, or are named after one and what is in them.
+fn settle(clues: &mut [Clue<'_>]) {
+    let key = |clue: &Clue<'_>| {
+        let folders = clue.base.iter().map(|&folder| folder.to_owned()).collect();
+        (clue.stem.to_lowercase(), folders)
+    };
+    let is_cloud = |clue: &&Clue<'_>| clue.role == Role::Cloud;
+    // The first kind of file of a place is its cloud.
+    let mut clouds: BTreeMap<(String, Vec<String>), usize> = BTreeMap::new();
+    for clue in clues.iter().filter(is_cloud) {
+        let kind = clouds.entry(key(clue)).or_insert(clue.kind);
+        *kind = clue.kind.min(*kind);
+    }
+    for clue in clues.iter_mut().filter(|clue| clue.is_open) {
+        let (stem, mut folders) = key(clue);
+        let named = stem
+            .rsplit_once(['_', '-'])
+            .filter(|(_, word)| OF_A_MODEL.contains(word));
+        let beside = clouds.get(&(stem.clone(), folders.clone()));
+        let mut is_of_another = beside.is_some_and(|&kind| kind < clue.kind)
+            || named.is_some_and(|(model, _)| {
+                clouds.contains_key(&(model.to_owned(), folders.clone()))
+            });
+        while !is_of_another && folders.pop().is_some() {
+            is_of_another = clouds.contains_key(&(stem.clone(), folders.clone()));
+        }
+        if is_of_another {
+            clue.role = Role::Primitives;
+        }
+    }
 }
 
 impl Draft<'_> {
@@ -153,7 +201,7 @@ impl<'a> Shelf<'a> {
             }
             return self.nearest(models, clue);
         }
-        Err(format!("there is no cloud {}.txt for it", clue.stem))
+        Err(format!("there is no cloud {} for it", clue.stem))
     }
 
     /// Of models of the same name, the one in the same folder, else the one with most folders in

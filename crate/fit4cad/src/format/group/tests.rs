@@ -166,7 +166,7 @@ fn the_sets_of_the_public_repository_are_kept_apart() {
             "? Fit4CAD-main/MATLAB/pointCloud_primitives/PC1_primitives.txt: \
              Fit4CAD-main/dataset/test_set/pointCloud_primitives/PC1_primitives.txt \
              already gives the same for PC1",
-            "? Fit4CAD-main/README.md: not a .txt file",
+            "? Fit4CAD-main/README.md: a picture, a program or a document",
         ]
     );
     assert_eq!(group(&paths, &BTreeMap::new()).ignored, 2);
@@ -240,18 +240,24 @@ fn what_has_no_place_is_listed_with_the_reason() {
             "readme.txt",
             "a.zip",
             "script.m",
+            "plot.png",
+            "boxplot_colors.txt",
+            "a.bin",
             "PC2.txt",
             "PC2.txt",
             "pc2.txt"
         ]),
         [
             "PC2: PC2.txt",
+            "? a.bin: not of a kind that is read: .txt, .xyz, .xyzn, .xyzrgb, .csv, .tsv, .pts, .asc, \
+             .dat, .xyzc, .ply, .pcd, .npz, .npy, .vg, .obj, .stl, .seg, .labels, .fidx",
             "? a.zip: an archive within; unpack it first",
-            "? PC1_primitives.txt: there is no cloud PC1.txt for it",
+            "? boxplot_colors.txt: its name is not that of a model's file",
+            "? PC1_primitives.txt: there is no cloud PC1 for it",
             "? PC2.txt: the same path was given twice",
             "? pc2.txt: PC2.txt already is the cloud PC2",
+            "? plot.png: a picture, a program or a document, as is one more file",
             "? readme.txt: its name is not that of a model's file",
-            "? script.m: not a .txt file",
         ]
     );
 }
@@ -289,7 +295,7 @@ fn the_caller_decides_role_model_and_method() {
             Override {
                 role: Some(Role::Cloud),
                 model: Some("PC1".to_owned()),
-                method: None,
+                ..Override::default()
             },
         ),
         (
@@ -298,6 +304,7 @@ fn the_caller_decides_role_model_and_method() {
                 role: Some(Role::Primitives),
                 model: Some("PC1".to_owned()),
                 method: Some("Net".to_owned()),
+                ..Override::default()
             },
         ),
         (
@@ -433,4 +440,47 @@ proptest! {
             prop_assert_eq!(slots.len(), model.files.len());
         }
     }
+}
+
+#[test]
+fn clouds_of_other_kinds_are_models_and_the_benchmarks_own_comes_first() {
+    assert_eq!(
+        shown(&["a.xyz", "b.CSV", "PC1.asc", "PC1.txt", "a_primitives.txt"]),
+        [
+            "a: a.xyz; a_primitives.txt Primitives truth",
+            "b: b.CSV",
+            "PC1: PC1.txt",
+            "? PC1.asc: PC1.txt already is the cloud PC1",
+        ]
+    );
+}
+
+#[test]
+fn labels_belong_to_the_cloud_of_their_name() {
+    assert_eq!(
+        shown(&[
+            "a.pts",
+            "a.seg",
+            "b.ply.gz",
+            "b_inst.txt",
+            "Net/b_labels.npy",
+            "HT/b.ply",
+            "c.xyz",
+            "c_pred.ply",
+            "c_gt.xyzc",
+            "c_part.ply",
+            "d.txt",
+            "d.vg",
+            "e.npz",
+        ]),
+        [
+            "a: a.pts; a.seg Primitives truth",
+            "b: b.ply.gz; b_inst.txt Primitives truth; HT/b.ply Primitives HT; \
+             Net/b_labels.npy Primitives Net",
+            "c: c.xyz; c_gt.xyzc Primitives truth; c_pred.ply Primitives pred",
+            "c_part: c_part.ply",
+            "d: d.txt; d.vg Primitives truth",
+            "e: e.npz",
+        ]
+    );
 }

@@ -1,6 +1,9 @@
+use std::borrow::Cow;
+
 use crate::cloud::Point;
 use crate::diagnostics::{Diagnostic, Severity};
-use crate::format::{Role, SourceFile, read_model};
+use crate::format::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
+use crate::format::{Role, Source, SourceFile, read_model, write_primitives};
 use crate::model::{Coefficients, Segmentation};
 use crate::surface::SurfaceType;
 
@@ -132,4 +135,132 @@ fn a_vector_that_is_no_member_of_its_family_is_reported_with_its_misfit() {
     assert!(truth.primitives[0].surface.is_some());
     assert_eq!(diagnostics[0].position.map(|at| at.line), Some(2));
     assert!(diagnostics[0].found.contains('%'), "{}", diagnostics[0]);
+}
+
+/// A file that states a size.
+struct Stated {
+    path: &'static str,
+    role: Role,
+    method: Option<&'static str>,
+    size: u64,
+    content: Result<&'static [u8], &'static str>,
+}
+
+impl Source for Stated {
+    fn path(&self) -> &str {
+        self.path
+    }
+
+    fn role(&self) -> Role {
+        self.role
+    }
+
+    fn method(&self) -> Option<&str> {
+        self.method
+    }
+
+    fn size(&self) -> u64 {
+        self.size
+    }
+
+    fn content(&self) -> Result<Cow<'_, [u8]>, String> {
+        assert!(self.size <= MAX_FILE_BYTES, "{} is asked for", self.path);
+        self.content.map(Cow::Borrowed).map_err(str::to_owned)
+    }
+}
+
+fn cloud_of(size: u64) -> Stated {
+    Stated {
+        path: "PC1.txt",
+        role: Role::Cloud,
+        method: None,
+        size,
+        content: Ok(b"Points:=[[0, 0, 0], [1, 0, 0]];"),
+    }
+}
+
+fn result_of(method: &'static str, size: u64) -> Stated {
+    Stated {
+        path: method,
+        role: Role::Primitives,
+        method: Some(method),
+        size,
+        content: Ok(b"Primitive1:=[1 2];"),
+    }
+}
+
+#[test]
+fn a_file_too_large_is_refused_by_its_size_and_the_others_are_read() {
+    let files = [
+        cloud_of(31),
+        result_of("A", MAX_FILE_BYTES + 1),
+        result_of("B", 18),
+    ];
+    let (model, diagnostics) = read_model("PC1", &files);
+    assert_eq!(model.submissions.len(), 1);
+    assert_eq!(model.submissions[0].method, "B");
+    let [diagnostic] = &diagnostics[..] else {
+        panic!("{diagnostics:?}")
+    };
+    assert_eq!(diagnostic.file, "A");
+    assert_eq!(
+        (&diagnostic.found[..], &diagnostic.expected[..]),
+        ("513 MiB", "at most 512 MiB")
+    );
+    let (model, diagnostics) = read_model("PC1", &[cloud_of(u64::MAX)]);
+    assert!(model.cloud.is_empty());
+    assert_eq!(diagnostics.len(), 1);
+}
+
+#[test]
+fn a_model_is_read_up_to_its_limit() {
+    let methods = ["A", "B", "C", "D", "E"];
+    let mut files = vec![cloud_of(31)];
+    files.extend(methods.map(|method| result_of(method, MAX_MODEL_BYTES / 4)));
+    let (model, diagnostics) = read_model("PC1", &files);
+    let read: Vec<&str> = model
+        .submissions
+        .iter()
+        .map(|each| &each.method[..])
+        .collect();
+    assert_eq!(read, ["A", "B", "C"]);
+    let told: Vec<&str> = diagnostics.iter().map(|each| &each.file[..]).collect();
+    assert_eq!(told, ["D", "E"]);
+    assert_eq!(
+        diagnostics[0].expected,
+        "at most 1024 MiB in all files of a model"
+    );
+}
+
+#[test]
+fn a_content_that_cannot_be_had_is_told() {
+    let broken = Stated {
+        content: Err("its checksum is wrong"),
+        ..result_of("A", 18)
+    };
+    let (model, diagnostics) = read_model("PC1", &[cloud_of(31), broken]);
+    assert_eq!((model.cloud.len(), model.submissions.len()), (2, 0));
+    let message = "The file could not be read: its checksum is wrong";
+    assert_eq!(diagnostics[0].message, message);
+    assert_eq!(diagnostics[0].severity, Severity::Error);
+}
+
+#[test]
+fn point_lists_are_written_by_the_numbers_they_were_read_by() {
+    let file = |path, role, bytes: &'static str| SourceFile {
+        path,
+        role,
+        method: None,
+        bytes: bytes.as_bytes(),
+    };
+    let cloud = "[NaN, NaN, NaN],\n[0, 0, 0],\n[1, 0],\n[1, 0, 0],\n[0, 1, 0]];";
+    let lists = "Primitive1:=[2 5];\nPrimitive2:=[4];\n";
+    let files = [
+        file("PC1.txt", Role::Cloud, cloud),
+        file("PC1_primitives.txt", Role::Primitives, lists),
+    ];
+    let (model, _) = read_model("PC1", &files);
+    let truth = model.truth.unwrap();
+    assert_eq!(truth.primitives[0].points, [0, 2]);
+    assert_eq!(write_primitives(&truth, model.cloud.numbering()), lists);
 }

@@ -3,6 +3,7 @@
 mod cloud;
 mod joining;
 mod primitives;
+mod segments;
 mod surfaces;
 
 use crate::diagnostics::Diagnostic;

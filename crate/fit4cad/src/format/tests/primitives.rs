@@ -1,5 +1,6 @@
 use super::{NONE, shown};
-use crate::format::{Numbering, read_primitives};
+use crate::cloud::Numbering;
+use crate::format::read_primitives;
 
 fn lists(text: &str) -> (Vec<(u32, Vec<u32>)>, Vec<String>) {
     let (lists, diagnostics) =

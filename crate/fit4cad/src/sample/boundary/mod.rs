@@ -30,6 +30,8 @@ mod tolerance {
 #[derive(Debug, Clone)]
 pub struct Boundary {
     pub solids: Vec<Placed>,
+    /// For each solid whether none before it is equal.
+    pub is_first: Vec<bool>,
     pub faces: Vec<Face>,
     /// Number of different surfaces; each free-form face counts as one.
     pub carriers: usize,
@@ -66,8 +68,15 @@ impl Boundary {
             all.add(&face.bounds.max);
             all
         });
+        let features = part.features.iter().enumerate();
+        let is_first = features.map(|(index, feature)| {
+            let mut before = part.features.iter().take(index);
+            before.all(|other| other.solid != feature.solid)
+        });
+        let is_first = is_first.collect();
         let mut boundary = Self {
             solids,
+            is_first,
             faces,
             carriers: 0,
             diagonal: overall.diagonal(),

@@ -104,7 +104,7 @@ pub(super) fn cone(values: &[f64]) -> Result<Surface, Defect> {
     if across == 0.0 || along == 0.0 {
         return Err(Defect::NoOpening);
     }
-    let half_angle = root(-along / across)?.atan();
+    let half_angle = libm::atan(root(-along / across)?);
     // A⁻¹ from the eigenvalues: along the axis and across it.
     let height = quadric.first.dot(&axis);
     let radial = quadric.first - axis.into_inner() * height;
@@ -148,7 +148,7 @@ pub(super) fn of_cylinder(cylinder: &Cylinder) -> Vec<f64> {
 
 pub(super) fn of_cone(cone: &Cone) -> Vec<f64> {
     let (axis, apex) = (cone.axis.into_inner(), cone.apex.coords);
-    let slope = cone.half_angle.tan();
+    let slope = libm::tan(cone.half_angle);
     let second = Matrix3::identity() - axis * axis.transpose() * (1.0 + slope * slope);
     let height = apex.dot(&axis);
     let radius = (apex - axis * height).norm();

@@ -13,18 +13,19 @@ use crate::cloud::{Bounds, Direction, Point, Vector};
 use extent::{Range, angles, heights, hull};
 use sheet::Sheet;
 
-/// What a line of a patch stands for.
+/// What a line of a patch stands for. The numbers are those of typed arrays.
+#[repr(u8)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// The border of the covered part.
-    Rim,
+    Rim = 0,
     /// The axis of a cylinder, cone or torus.
-    Axis,
+    Axis = 1,
     /// From axis or centre to the surface; for a torus from the centre to the tube's centre line,
     /// and from there to the surface.
-    Radius,
+    Radius = 2,
     /// The apex of a cone, or the centre of a sphere or torus: a line of no length.
-    Centre,
+    Centre = 3,
 }
 
 /// A patch: a triangle mesh and lines, in the coordinates of the points.
@@ -141,7 +142,7 @@ fn of_cylinder(cylinder: &Cylinder, points: &[Point]) -> Patch {
     let (u, v) = frame(&axis);
     let along = heights(points, &centre, &axis);
     let around = angles(points.iter().map(|point| direction(point - centre, u, v)));
-    let outward = |angle: f64| u * angle.cos() + v * angle.sin();
+    let outward = |angle: f64| u * libm::cos(angle) + v * libm::sin(angle);
     let at =
         |height: f64, angle: f64| centre + axis.into_inner() * height + outward(angle) * radius;
     let mut patch = Sheet {
@@ -169,7 +170,7 @@ fn of_cone(cone: &Cone, points: &[Point]) -> Patch {
         half_angle,
     } = *cone;
     let (u, v) = frame(&axis);
-    let (sin, cos) = half_angle.sin_cos();
+    let (sin, cos) = libm::sincos(half_angle);
     // Heights of the feet: the surface is straight, so they are the points' own shifted along the
     // normal; where points lie on it the two agree.
     let feet: Vec<Point> = points
@@ -182,7 +183,7 @@ fn of_cone(cone: &Cone, points: &[Point]) -> Patch {
         let offset = foot - apex;
         direction(offset * offset.dot(&axis).signum(), u, v)
     }));
-    let outward = |angle: f64| u * angle.cos() + v * angle.sin();
+    let outward = |angle: f64| u * libm::cos(angle) + v * libm::sin(angle);
     let at = |height: f64, angle: f64| {
         apex + axis.into_inner() * height + outward(angle) * (height * sin / cos.max(1e-12))
     };
@@ -231,12 +232,13 @@ fn of_sphere(sphere: &Sphere, points: &[Point]) -> Patch {
     let polar = |point: &Point| {
         let offset = point - centre;
         let side = offset - pole.into_inner() * offset.dot(&pole);
-        side.norm().atan2(offset.dot(&pole))
+        libm::atan2(side.norm(), offset.dot(&pole))
     };
     let down = Range::of(points.iter().map(polar)).clamped(0.0, std::f64::consts::PI);
     let around = angles(points.iter().map(|point| direction(point - centre, u, v)));
     let outward = |down: f64, angle: f64| {
-        (u * angle.cos() + v * angle.sin()) * down.sin() + pole.into_inner() * down.cos()
+        (u * libm::cos(angle) + v * libm::sin(angle)) * libm::sin(down)
+            + pole.into_inner() * libm::cos(down)
     };
     let at = |down: f64, angle: f64| centre + outward(down, angle) * radius;
     let mut patch = Sheet {
@@ -264,12 +266,13 @@ fn of_torus(torus: &Torus, points: &[Point]) -> Patch {
         let offset = point - centre;
         let height = offset.dot(&axis);
         let outward = (offset - axis.into_inner() * height).norm() - major_radius;
-        (height != 0.0 || outward != 0.0).then(|| height.atan2(outward))
+        (height != 0.0 || outward != 0.0).then(|| libm::atan2(height, outward))
     }));
-    let outward = |angle: f64| u * angle.cos() + v * angle.sin();
+    let outward = |angle: f64| u * libm::cos(angle) + v * libm::sin(angle);
     let spine = |angle: f64| centre + outward(angle) * major_radius;
-    let normal =
-        |turn: f64, angle: f64| outward(angle) * turn.cos() + axis.into_inner() * turn.sin();
+    let normal = |turn: f64, angle: f64| {
+        outward(angle) * libm::cos(turn) + axis.into_inner() * libm::sin(turn)
+    };
     let at = |turn: f64, angle: f64| spine(angle) + normal(turn, angle) * minor_radius;
     let mut patch = Sheet {
         rows: tube,
@@ -289,7 +292,7 @@ fn of_torus(torus: &Torus, points: &[Point]) -> Patch {
 /// The angle of an offset in the plane of u and v; nothing on the axis.
 fn direction(offset: Vector, u: Vector, v: Vector) -> Option<f64> {
     let (a, b) = (offset.dot(&u), offset.dot(&v));
-    (a != 0.0 || b != 0.0).then(|| b.atan2(a))
+    (a != 0.0 || b != 0.0).then(|| libm::atan2(b, a))
 }
 
 #[cfg(test)]

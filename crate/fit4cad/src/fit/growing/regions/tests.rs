@@ -4,6 +4,7 @@ use super::super::variation::{surface_variation, threshold};
 use super::*;
 use crate::cloud::Point;
 use crate::cloud::neighbours::KdTree;
+use crate::random::Random;
 
 #[test]
 fn a_row_of_sharp_points_parts_a_strip_in_two() {
@@ -39,7 +40,7 @@ fn the_six_faces_of_a_box_grow_to_six_regions() {
     let values = surface_variation(&points, &graph, 15);
     let threshold = threshold(&values, 0.0);
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    fastrand::Rng::with_seed(5).shuffle(&mut order);
+    Random::new(5, 0).shuffle(&mut order);
     let regions = grow(&graph, &order, |i| values[i as usize] > threshold.value);
     assert_eq!(regions.len(), 6);
     for region in &regions {

@@ -12,7 +12,7 @@
 //! c = c₁ n + c₂ b, where b = t × n. At arc length l from T it is at
 //! p(l) = T + t sin(κl)/κ + c (1 - cos κl)/κ², κ = |c|.
 
-use nalgebra::{Point3, Rotation3, SVector};
+use nalgebra::{Point3, Quaternion, SVector, UnitQuaternion};
 
 use super::Chart;
 use crate::cloud::Vector;
@@ -106,7 +106,7 @@ impl Chart<7> for TorusChart {
         let [first, second] = self.curl;
         let curl = self.normal * first + self.beside * second;
         // ∂p/∂cᵢ at fixed arc length; a shift along the spine is across `out` and does not matter.
-        let angle = sin.atan2(cos);
+        let angle = libm::atan2(sin, cos);
         let (swing, sweep) = bends(angle);
         let square = spine.radius * spine.radius;
         let common = -(out.dot(&curl) * square * swing
@@ -127,7 +127,8 @@ impl Chart<7> for TorusChart {
 
     fn moved(&self, step: &SVector<f64, 7>) -> Self {
         let turn = self.normal * step[1] + self.along * step[2] + self.beside * step[3];
-        let rotation = Rotation3::new(turn);
+        // By Cayley's map: with the exponential's to second order, and of arithmetic alone.
+        let rotation = UnitQuaternion::new_normalize(Quaternion::from_parts(1.0, 0.5 * turn));
         let normal = (rotation * self.normal).normalize();
         let along = rotation * self.along;
         let along = (along - normal * along.dot(&normal)).normalize();
@@ -181,6 +182,6 @@ fn bends(angle: f64) -> (f64, f64) {
         let sweep = angle * square * (-1.0 / 3.0 + square * (1.0 / 30.0 - square / 840.0));
         return (swing, sweep);
     }
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     (angle * sin - 2.0 * (1.0 - cos), angle * cos - sin)
 }

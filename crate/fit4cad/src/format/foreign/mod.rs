@@ -1,0 +1,139 @@
+//! Reading what other programs write: PLY, PCD, OBJ, STL, NumPy's arrays, vertex groups, and any of
+//! them packed by gzip. What a file is, is told by how it begins.
+
+mod gather;
+mod gzip;
+mod kinds;
+mod lzf;
+mod mesh;
+mod npy;
+mod numpy;
+mod pcd;
+mod ply;
+mod scalar;
+mod vg;
+mod zip;
+
+#[cfg(test)]
+mod tests;
+
+pub use gzip::{is_gzip, unpack_gzip};
+pub use vg::TYPES as VERTEX_GROUP_TYPES;
+
+use super::cloud::CloudFile;
+use super::findings::Findings;
+use crate::diagnostics::Diagnostic;
+
+/// What a file of another program holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    /// Points, perhaps with segments.
+    Cloud(CloudFile),
+    /// A label for each row of a cloud.
+    Labels(Vec<i32>),
+    /// Text of one of the kinds that are read anyway, unpacked.
+    Text(Vec<u8>),
+}
+
+/// What a file is read for: where it holds the segments of a truth and those of a result, the one or
+/// the other is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// The cloud, or the truth.
+    Truth,
+    /// A method's result.
+    Submission,
+}
+
+/// Reads a file of another program, whatever it is packed in; `None` where it is none. Linear in its length, but for the
+/// distinct vertices of STL.
+pub fn read_foreign(
+    file: &str,
+    bytes: &[u8],
+    purpose: Purpose,
+) -> Option<(Content, Vec<Diagnostic>)> {
+    let kind = kind_of(file, bytes)?;
+    if kind != Kind::Gzip {
+        return read_kind(kind, file, bytes, purpose);
+    }
+    let Some(unpacked) = unpack_gzip(bytes) else {
+        let mut findings = Findings::new(file, &[]);
+        findings.add_whole(&kinds::PACKED_BADLY, String::new());
+        return Some((Content::Cloud(CloudFile::default()), findings.finish()));
+    };
+    let name = file.strip_suffix(".gz").unwrap_or(file);
+    match kind_of(name, &unpacked) {
+        // Twice packed is as good as broken.
+        None | Some(Kind::Gzip) => Some((Content::Text(unpacked), Vec::new())),
+        Some(kind) => read_kind(kind, name, &unpacked, purpose),
+    }
+}
+
+/// Whether a file is of another program.
+pub fn is_foreign(file: &str, bytes: &[u8]) -> bool {
+    kind_of(file, bytes).is_some()
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Gzip,
+    Array,
+    Archive,
+    Ply,
+    Pcd,
+    Stl,
+    Groups,
+    Obj,
+}
+
+fn kind_of(file: &str, bytes: &[u8]) -> Option<Kind> {
+    let named = |ending: &str| {
+        file.rsplit_once('.')
+            .is_some_and(|(_, own)| own.eq_ignore_ascii_case(ending))
+    };
+    Some(match bytes {
+        _ if is_gzip(bytes) => Kind::Gzip,
+        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Kind::Array,
+        [b'P', b'K', 3, 4, ..] if zip::holds_arrays(bytes) => Kind::Archive,
+        [b'p', b'l', b'y', b'\n' | b'\r', ..] => Kind::Ply,
+        _ if is_pcd(bytes) => Kind::Pcd,
+        _ if mesh::is_stl(bytes, named("stl")) => Kind::Stl,
+        _ if vg::is_vg(bytes) => Kind::Groups,
+        _ if mesh::is_obj(bytes) => Kind::Obj,
+        _ => return None,
+    })
+}
+
+fn read_kind(
+    kind: Kind,
+    file: &str,
+    bytes: &[u8],
+    purpose: Purpose,
+) -> Option<(Content, Vec<Diagnostic>)> {
+    let findings = Findings::new(file, &[]);
+    let of_cloud = |(file, findings)| (Content::Cloud(file), findings);
+    Some(match kind {
+        Kind::Gzip => return None,
+        Kind::Array => numpy::read_array(findings, bytes),
+        Kind::Archive => numpy::read_archive(findings, bytes, purpose),
+        Kind::Ply => of_cloud(ply::read(findings, bytes)),
+        Kind::Pcd => of_cloud(pcd::read(findings, bytes)),
+        Kind::Stl => of_cloud(mesh::read_stl(findings, bytes)),
+        Kind::Groups => of_cloud(vg::read(findings, bytes)),
+        Kind::Obj => of_cloud(mesh::read_obj(findings, bytes)),
+    })
+}
+
+/// Whether bytes begin as PCD files do: remarks, then the version or the fields.
+fn is_pcd(bytes: &[u8]) -> bool {
+    let window = bytes.get(..4096).unwrap_or(bytes);
+    let lines = window.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let first = lines
+        .into_iter()
+        .find(|line| !line.is_empty() && !line.starts_with(b"#"));
+    first.is_some_and(|line| {
+        [&b"VERSION "[..], b"FIELDS ", b"COLUMNS "]
+            .iter()
+            .any(|word| line.starts_with(word))
+    })
+}

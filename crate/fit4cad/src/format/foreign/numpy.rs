@@ -1,0 +1,219 @@
+//! What arrays of NumPy mean: points, or a label for each point.
+
+use super::gather::Gather;
+use super::kinds::{BAD_HEADER, CUT_OFF, NO_COORDINATES, PACKED_BADLY, PICKLED};
+use super::npy::{Array, Unread};
+use super::zip;
+use super::{Content, Purpose};
+use crate::diagnostics::Diagnostic;
+use crate::format::cloud::{CloudFile, Columns};
+use crate::format::findings::Findings;
+use crate::format::labels::NO_LABEL;
+use crate::format::labels::is_label_value;
+
+/// Rows by which columns are told.
+const SAMPLES: usize = 1024;
+
+/// Reads one array.
+pub(super) fn read_array(mut findings: Findings<'_>, bytes: &[u8]) -> (Content, Vec<Diagnostic>) {
+    match Array::read(bytes) {
+        Ok(array) => {
+            if let Some(labels) = labels_of(&array) {
+                return (Content::Labels(labels), findings.finish());
+            }
+            let (file, findings) = cloud(findings, &array, None);
+            (Content::Cloud(file), findings)
+        }
+        Err(unread) => {
+            refuse(&mut findings, "", unread);
+            (Content::Cloud(CloudFile::default()), findings.finish())
+        }
+    }
+}
+
+/// Reads the arrays of an archive that are called like points and labels, or look like them. Of labels
+/// called so and so and so and so `_gt`, the latter are the truth's.
+pub(super) fn read_archive(
+    mut findings: Findings<'_>,
+    bytes: &[u8],
+    purpose: Purpose,
+) -> (Content, Vec<Diagnostic>) {
+    let Some(entries) = zip::entries(bytes) else {
+        findings.add_whole(&PACKED_BADLY, String::new());
+        return (Content::Cloud(CloudFile::default()), findings.finish());
+    };
+    let unpacked: Vec<(String, Vec<u8>)> = entries
+        .iter()
+        .filter(|entry| entry.name.ends_with(".npy"))
+        .filter_map(|entry| {
+            let name = entry.name.trim_end_matches(".npy").to_lowercase();
+            Some((name, entry.unpack(bytes)?.into_owned()))
+        })
+        .collect();
+    let mut arrays = Vec::new();
+    for (name, bytes) in &unpacked {
+        match Array::read(bytes) {
+            Ok(array) => arrays.push((name.as_str(), array)),
+            // What else such archives hold need not concern anybody.
+            Err(Unread::Head(_)) => {}
+            Err(unread) => refuse(&mut findings, name, unread),
+        }
+    }
+    const POINTS: [&str; 9] = [
+        "points", "point", "xyz", "pos", "v", "pc", "coords", "vertices", "data",
+    ];
+    let points = arrays
+        .iter()
+        .filter(|(_, array)| shape(array).is_some_and(|(_, columns, _)| columns >= 3))
+        .min_by_key(|(name, _)| POINTS.iter().position(|known| known == name).unwrap_or(99));
+    let rows = points
+        .and_then(|(_, array)| shape(array))
+        .map(|(rows, ..)| rows);
+    let labels = arrays
+        .iter()
+        .filter_map(|(name, array)| Some((rank(name, purpose)?, *name, labels_of(array)?)))
+        .filter(|(_, _, labels)| rows.is_none_or(|rows| labels.len() == rows))
+        .min_by_key(|(rank, ..)| *rank)
+        .map(|(_, name, labels)| (name, labels));
+    match (points, labels) {
+        (Some((_, array)), labels) => {
+            let labels = labels.map(|(_, labels)| labels);
+            let (file, findings) = cloud(findings, array, labels);
+            (Content::Cloud(file), findings)
+        }
+        (None, Some((_, labels))) => (Content::Labels(labels), findings.finish()),
+        (None, None) => {
+            let names: Vec<&str> = unpacked.iter().map(|(name, _)| name.as_str()).collect();
+            findings.add_whole(&NO_COORDINATES, names.join(", "));
+            (Content::Cloud(CloudFile::default()), findings.finish())
+        }
+    }
+}
+
+/// How well a name says that an array is of the labels wanted; the less the better.
+fn rank(name: &str, purpose: Purpose) -> Option<usize> {
+    const LABELS: [&str; 11] = [
+        "labels",
+        "label",
+        "instances",
+        "instance",
+        "inst",
+        "segments",
+        "segment",
+        "seg",
+        "l",
+        "i",
+        "ids",
+    ];
+    let of_truth = name.ends_with("_gt") || name.starts_with("gt_") || name.ends_with("_true");
+    let bare = name
+        .trim_end_matches("_gt")
+        .trim_end_matches("_true")
+        .trim_end_matches("_pred")
+        .trim_start_matches("gt_")
+        .trim_start_matches("pred_");
+    let place = LABELS.iter().position(|known| *known == bare)?;
+    let wanted = of_truth == (purpose == Purpose::Truth);
+    Some(place + if wanted { 0 } else { LABELS.len() })
+}
+
+fn refuse(findings: &mut Findings<'_>, name: &str, unread: Unread) {
+    let of = |text: String| {
+        if name.is_empty() {
+            text
+        } else {
+            format!("{name}: {text}")
+        }
+    };
+    match unread {
+        Unread::Pickled => findings.add_whole(&PICKLED, name.to_owned()),
+        Unread::Head(head) => findings.add_whole(&BAD_HEADER, of(head)),
+        Unread::CutOff(what) => findings.add_whole(&CUT_OFF, of(what)),
+    }
+}
+
+/// Rows and columns of an array that may hold points, and whether it lies on its side.
+fn shape(array: &Array<'_>) -> Option<(usize, usize, bool)> {
+    if array.names.len() > 1 {
+        return Some((array.count()?, array.names.len(), false));
+    }
+    match array.squeezed()[..] {
+        [columns @ 3..=16, rows] if rows > 16 => Some((rows, columns, true)),
+        [rows, columns] => Some((rows, columns, false)),
+        [columns] if columns >= 3 && array.shape.len() == 2 => Some((1, columns, false)),
+        _ => None,
+    }
+}
+
+fn cloud(
+    mut findings: Findings<'_>,
+    array: &Array<'_>,
+    labels: Option<Vec<i32>>,
+) -> (CloudFile, Vec<Diagnostic>) {
+    let Some((rows, count, lying)) = shape(array).filter(|&(_, columns, _)| columns >= 3) else {
+        findings.add_whole(
+            &NO_COORDINATES,
+            format!("an array of shape {:?}", array.shape),
+        );
+        return (CloudFile::default(), findings.finish());
+    };
+    let value = |row: usize, column: usize| {
+        if lying {
+            array.at(column, row)
+        } else {
+            array.at(row, column)
+        }
+    };
+    let columns = if array.names.len() > 1 {
+        Columns::named(&array.names)
+    } else {
+        let samples = rows.min(SAMPLES);
+        let rows: Vec<Vec<f64>> = (0..samples)
+            .map(|k| k * rows / samples)
+            .map(|row| {
+                (0..count.min(32))
+                    .map(|column| value(row, column))
+                    .collect()
+            })
+            .collect();
+        Some(Columns::guessed(&rows, false))
+    };
+    let Some(columns) = columns else {
+        findings.add_whole(&NO_COORDINATES, String::new());
+        return (CloudFile::default(), findings.finish());
+    };
+    let labelled = labels.is_some() || columns.label.is_some();
+    let mut gather = Gather::new(findings, rows, labelled);
+    gather.tell_columns(&columns);
+    for row in 0..rows {
+        if !gather.has_room() {
+            break;
+        }
+        let label = match &labels {
+            Some(labels) => labels.get(row).map(|&label| f64::from(label)),
+            None => columns.label.map(|column| value(row, column)),
+        };
+        gather.push(columns.coordinates.map(|column| value(row, column)), label);
+    }
+    gather.finish()
+}
+
+/// The labels that an array of one number a point is.
+fn labels_of(array: &Array<'_>) -> Option<Vec<i32>> {
+    let count = match array.squeezed()[..] {
+        [count] if array.names.len() == 1 => count,
+        _ => return None,
+    };
+    let values = (0..count).map(|row| array.at(row, 0));
+    if !array.is_whole() && !values.clone().all(is_label_value) {
+        return None;
+    }
+    let label = |value: f64| {
+        if is_label_value(value) {
+            value as i32
+        } else {
+            NO_LABEL
+        }
+    };
+    Some(values.map(label).collect())
+}

@@ -1,0 +1,470 @@
+use super::*;
+use crate::cloud::Point;
+
+/// Points of an L of two faces, label 0 and 1, the last of none.
+fn rows() -> Vec<([f64; 3], i32)> {
+    (0..60)
+        .map(|i| {
+            let (u, v) = (f64::from(i % 10) * 0.5, f64::from(i / 10 % 3) - 1.25);
+            match i {
+                59 => ([9.0, 9.0, 9.0], -1),
+                30.. => ([0.0, u, v], 1),
+                _ => ([u, 0.0, v], 0),
+            }
+        })
+        .collect()
+}
+
+fn cloud(bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
+    match read_foreign("PC1", bytes, Purpose::Truth) {
+        Some((Content::Cloud(file), findings)) => (file, findings),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Whether a file is read as the points above, and its labels, where it has some.
+fn is_whole(bytes: &[u8], labelled: bool) {
+    let (file, findings) = cloud(bytes);
+    let expected: Vec<Point> = rows().iter().map(|&(row, _)| Point::from(row)).collect();
+    assert_eq!(file.cloud.points(), expected, "{findings:?}");
+    assert!(
+        findings
+            .iter()
+            .all(|it| it.severity == crate::diagnostics::Severity::Note),
+        "{findings:?}"
+    );
+    let found = file.segments.map(|segments| {
+        let segments = segments.into_iter();
+        segments
+            .map(|it| (it.number, it.points.len()))
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(found, labelled.then(|| vec![(0, 30), (1, 29)]));
+}
+
+/// Says a value as bytes of a number.
+type Store = fn(f64) -> Vec<u8>;
+
+const FLOATS: [(&str, Store); 4] = [
+    ("<f4", |value| (value as f32).to_le_bytes().to_vec()),
+    (">f8", |value| value.to_be_bytes().to_vec()),
+    ("<f8", |value| value.to_le_bytes().to_vec()),
+    (">f4", |value| (value as f32).to_be_bytes().to_vec()),
+];
+
+#[test]
+fn ply_of_each_form_is_read_with_what_else_it_holds_passed_over() {
+    for (form, float, int) in [
+        (
+            "binary_little_endian",
+            FLOATS[0].1,
+            (|v| (v as i32).to_le_bytes().to_vec()) as Store,
+        ),
+        ("binary_big_endian", FLOATS[3].1, |v| {
+            (v as i32).to_be_bytes().to_vec()
+        }),
+    ] {
+        let mut bytes = format!(
+            "ply\nformat {form} 1.0\ncomment of something\nelement face 2\n\
+             property list uchar int vertex_indices\nelement vertex 60\nproperty float x\n\
+             property list uchar uchar odd\nproperty float y\nproperty float32 z\n\
+             property uchar red\nproperty int v:primitive_index\nend_header\n"
+        )
+        .into_bytes();
+        for corners in [3u8, 0] {
+            bytes.push(corners);
+            (0..corners).for_each(|corner| bytes.extend(int(f64::from(corner))));
+        }
+        for ([x, y, z], label) in rows() {
+            bytes.extend(float(x));
+            bytes.extend([2, 7, 7]);
+            bytes.extend([y, z].into_iter().flat_map(float));
+            bytes.push(200);
+            bytes.extend(int(f64::from(label)));
+        }
+        is_whole(&bytes, true);
+        // Cut off, it is read as far as it goes.
+        let (file, findings) = cloud(&bytes[..bytes.len() - 1]);
+        assert_eq!(file.cloud.len(), 59);
+        assert_eq!(findings.last().unwrap().found, "59 points of 60");
+    }
+    let lines: Vec<String> = rows()
+        .iter()
+        .map(|([x, y, z], label)| format!("{x} {y} {z} {label}.0\r\n"))
+        .collect();
+    let text = format!(
+        "ply\r\nformat ascii 1.0\r\nelement vertex 60\r\nproperty double x\r\nproperty double y\r\n\
+         property double z\r\nproperty float label\r\nend_header\r\n{}",
+        lines.concat()
+    );
+    is_whole(text.as_bytes(), true);
+}
+
+#[test]
+fn heads_that_claim_what_is_not_there_get_an_error_and_no_memory() {
+    let huge = u64::MAX;
+    let head = |format: &str| {
+        format!(
+            "ply\nformat {format} 1.0\nelement vertex {huge}\nproperty float x\nproperty float y\n\
+             property float z\nend_header\n1 2 3\n"
+        )
+    };
+    for text in [
+        head("ascii"),
+        head("binary_big_endian"),
+        format!(
+            "ply\nformat ascii 1.0\nelement empty {huge}\nelement vertex 1\nproperty float x\n\
+                 property float y\nproperty float z\nend_header\n"
+        ),
+        "ply\nformat ascii 1.0\nelement vertex x\n".to_owned(),
+        "ply\nformat ascii 1.0\nproperty float x\nend_header\n".to_owned(),
+        "ply\nno end".to_owned(),
+        "ply\nformat ascii 1.0\nelement face 3\nend_header\n".to_owned(),
+        format!(
+            "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {huge}\n\
+                 HEIGHT {huge}\nPOINTS {huge}\nDATA binary\n"
+        ),
+        format!("VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 {huge}\nDATA ascii\n"),
+        "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 9\nDATA binary_compressed\n\
+         \u{1}\u{0}\u{0}\u{0}\u{7f}\u{7f}\u{7f}\u{7f}a"
+            .to_owned(),
+        format!("num_points: {huge}\n1 2 3\n"),
+        "num_points: 1\n1 2 3\nnum_groups: 1\ngroup_type: 0\ngroup_num_point: 99\n0\n".to_owned(),
+    ] {
+        let (file, findings) = cloud(text.as_bytes());
+        assert!(file.cloud.len() <= 1, "{text}");
+        let worst = findings.iter().map(|it| it.severity).max();
+        assert_eq!(worst, Some(crate::diagnostics::Severity::Error), "{text}");
+    }
+    let mut array = npy("<f4", "(1152921504606846976, 3)", &[0; 24]);
+    assert_eq!(cloud(&array).0.cloud.len(), 0);
+    array = npy("|O", "(3, 3)", b"cos\nsystem\n");
+    assert!(cloud(&array).1[0].message.contains("never opened"));
+}
+
+#[test]
+fn pcd_of_each_form_is_read() {
+    let head = |data: &str| {
+        format!(
+            "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z normal label\nSIZE 4 4 4 4 4\nTYPE F F F F U\n\
+             COUNT 1 1 1 2 1\nWIDTH 60\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 60\nDATA {data}\n"
+        )
+    };
+    let float = FLOATS[0].1;
+    let numbers: Vec<Vec<Vec<u8>>> = rows()
+        .iter()
+        .map(|(row, label)| {
+            let mut fields: Vec<Vec<u8>> = row.iter().map(|&value| float(value)).collect();
+            fields.push([float(0.0), float(1.0)].concat());
+            fields.push(label.to_le_bytes().to_vec());
+            fields
+        })
+        .collect();
+    // The label of none, -1, reads as a very large unsigned number: none as well.
+    let with_warning = |bytes: &[u8]| {
+        let (file, findings) = cloud(bytes);
+        assert_eq!(file.cloud.len(), 60, "{findings:?}");
+        let segments = file.segments.unwrap();
+        assert_eq!(
+            [segments[0].points.len(), segments[1].points.len()],
+            [30, 29]
+        );
+        assert_eq!(findings.last().unwrap().found, "1 of 60, first row 60");
+    };
+    let by_row = numbers.iter().flatten().flatten().copied();
+    with_warning(&[head("binary").into_bytes(), by_row.collect()].concat());
+    let by_column: Vec<u8> = (0..5)
+        .flat_map(|field| numbers.iter().flat_map(move |row| row[field].clone()))
+        .collect();
+    // Literals alone are LZF too.
+    let packed: Vec<u8> = by_column
+        .chunks(32)
+        .flat_map(|part| [&[part.len() as u8 - 1], part].concat())
+        .collect();
+    let sizes = [packed.len() as u32, by_column.len() as u32].map(u32::to_le_bytes);
+    with_warning(
+        &[
+            head("binary_compressed").into_bytes(),
+            sizes.concat(),
+            packed,
+        ]
+        .concat(),
+    );
+    let lines: String = rows()
+        .iter()
+        .map(|([x, y, z], label)| format!("{x} {y} {z} 0 nan {label}\n"))
+        .collect();
+    is_whole((head("ascii") + &lines).as_bytes(), true);
+}
+
+fn npy(kind: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    let fortran = if shape.starts_with('F') {
+        "True"
+    } else {
+        "False"
+    };
+    let shape = shape.trim_start_matches('F');
+    let descr = if kind.starts_with('[') {
+        kind.to_owned()
+    } else {
+        format!("'{kind}'")
+    };
+    let head = format!("{{'descr': {descr}, 'fortran_order': {fortran}, 'shape': {shape}, }}\n");
+    let length = (head.len() as u16).to_le_bytes();
+    [b"\x93NUMPY\x01\x00", &length[..], head.as_bytes(), data].concat()
+}
+
+fn points(store: Store, columns: bool) -> Vec<u8> {
+    let rows = rows();
+    let numbers: Vec<f64> = if columns {
+        (0..3)
+            .flat_map(|axis| rows.iter().map(move |(row, _)| row[axis]))
+            .collect()
+    } else {
+        rows.iter().flat_map(|(row, _)| *row).collect()
+    };
+    numbers.into_iter().flat_map(store).collect()
+}
+
+#[test]
+fn an_array_of_one_point_has_all_its_coordinates() {
+    let numbers: Vec<u8> = [1.5f64, 2.25, 3.125]
+        .iter()
+        .flat_map(|x| x.to_le_bytes())
+        .collect();
+    for shape in ["(1, 3)", "F(1, 3)"] {
+        let read = read_foreign("a.npy", &npy("<f8", shape, &numbers), Purpose::Truth);
+        let Some((Content::Cloud(file), _)) = read else {
+            panic!("{shape}: {read:?}");
+        };
+        assert_eq!(file.cloud.points(), [Point::new(1.5, 2.25, 3.125)]);
+    }
+}
+
+#[test]
+fn what_was_found_is_told_in_few_characters() {
+    let head = format!(
+        "# .PCD v0.7\nFIELDS {}\nDATA ascii\n",
+        "a\u{1} ".repeat(10_000)
+    );
+    let (_, found) = read_foreign("a.pcd", head.as_bytes(), Purpose::Truth).expect("a PCD file");
+    assert!(found.iter().all(|it| it.to_string().len() < 2000));
+    assert!(found[0].found.starts_with("a\u{FFFD} a"), "{:?}", found[0]);
+}
+
+#[test]
+fn arrays_of_either_order_and_of_every_number_are_read() {
+    for (kind, store) in FLOATS {
+        is_whole(&npy(kind, "(60, 3)", &points(store, false)), false);
+        is_whole(&npy(kind, "(1, 60, 3)", &points(store, false)), false);
+        is_whole(&npy(kind, "F(60, 3)", &points(store, true)), false);
+        is_whole(&npy(kind, "(3, 60)", &points(store, true)), false);
+    }
+    let store = FLOATS[1].1;
+    let with_labels: Vec<u8> = rows()
+        .iter()
+        .flat_map(|&([x, y, z], label)| [x, y, z, f64::from(label)])
+        .flat_map(store)
+        .collect();
+    is_whole(&npy(">f8", "(60, 4)", &with_labels), true);
+    let names = "[('label', '>f8'), ('x', '>f8'), ('y', '>f8'), ('z', '>f8')]";
+    let named: Vec<u8> = rows()
+        .iter()
+        .flat_map(|&([x, y, z], label)| [f64::from(label), x, y, z])
+        .flat_map(store)
+        .collect();
+    is_whole(&npy(names, "(60,)", &named), true);
+    let labels: Vec<u8> = rows()
+        .iter()
+        .flat_map(|(_, label)| label.to_le_bytes())
+        .collect();
+    let read = read_foreign(
+        "a_labels.npy",
+        &npy("<i4", "(60,)", &labels),
+        Purpose::Truth,
+    );
+    let expected: Vec<i32> = rows().iter().map(|&(_, label)| label).collect();
+    assert_eq!(read, Some((Content::Labels(expected), vec![])));
+}
+
+/// A zip of stored or deflated entries.
+fn zipped(entries: &[(&str, Vec<u8>)], deflated: bool) -> Vec<u8> {
+    let (mut bytes, mut directory) = (Vec::new(), Vec::new());
+    for (name, content) in entries {
+        let packed = if deflated {
+            miniz_oxide::deflate::compress_to_vec(content, 6)
+        } else {
+            content.clone()
+        };
+        let at = (bytes.len() as u32).to_le_bytes();
+        let method = [if deflated { 8u8 } else { 0 }, 0];
+        let sizes = [packed.len() as u32, content.len() as u32]
+            .map(u32::to_le_bytes)
+            .concat();
+        let lengths = [&(name.len() as u16).to_le_bytes()[..], &[0, 0]].concat();
+        let common = [&[20, 0, 0, 0][..], &method, &[0; 8], &sizes, &lengths].concat();
+        bytes.extend([&b"PK\x03\x04"[..], &common, name.as_bytes(), &packed].concat());
+        directory.extend(
+            [
+                &b"PK\x01\x02\x14\x00"[..],
+                &common,
+                &[0; 10],
+                &at,
+                name.as_bytes(),
+            ]
+            .concat(),
+        );
+    }
+    let count = (entries.len() as u16).to_le_bytes();
+    let place = [directory.len() as u32, bytes.len() as u32]
+        .map(u32::to_le_bytes)
+        .concat();
+    let end = [&b"PK\x05\x06\0\0\0\0"[..], &count, &count, &place, &[0, 0]].concat();
+    [bytes, directory, end].concat()
+}
+
+#[test]
+fn archives_of_arrays_are_read_by_their_names_and_for_their_purpose() {
+    let int: Store = |value| (value as i64).to_le_bytes().to_vec();
+    let labels = |of: fn(i32) -> i32| {
+        let values = rows()
+            .into_iter()
+            .flat_map(|(_, label)| int(f64::from(of(label))));
+        npy("<i8", "(60, 1)", &values.collect::<Vec<u8>>())
+    };
+    let entries = [
+        ("S.npy", npy("<f8", "(7, 2)", &[0; 112])),
+        ("V.npy", npy("<f8", "(60, 3)", &points(FLOATS[2].1, false))),
+        ("L.npy", labels(|_| 4)),
+        ("L_gt.npy", labels(|label| label)),
+    ];
+    for deflated in [false, true] {
+        let bytes = zipped(&entries, deflated);
+        is_whole(&bytes, true);
+        let Some((Content::Cloud(file), _)) = read_foreign("a.npz", &bytes, Purpose::Submission)
+        else {
+            panic!("no cloud");
+        };
+        let segments = file.segments.unwrap();
+        assert_eq!(
+            (segments.len(), segments[0].number, segments[0].points.len()),
+            (1, 4, 60)
+        );
+        // Broken anywhere, nothing panics.
+        for cut in (0..bytes.len()).step_by(7) {
+            let _ = read_foreign("a.npz", &bytes[..cut], Purpose::Truth);
+        }
+    }
+}
+
+#[test]
+fn vertices_of_meshes_are_read() {
+    let lines: String = rows()
+        .iter()
+        .map(|([x, y, z], _)| format!("v {x} {y} {z} 0.5 0.5 0.5\nvn 0 0 1\n"))
+        .collect();
+    let obj = format!("# made by hand\nmtllib a.mtl\no part\n{lines}f 1//1 2//2 3//3\n");
+    is_whole(obj.as_bytes(), false);
+    // Each triangle has the corner of the next as its first.
+    let corners: Vec<[f64; 3]> = rows().iter().map(|&(row, _)| row).collect();
+    let triangles: Vec<[[f64; 3]; 3]> = corners
+        .windows(3)
+        .map(|three| [three[0], three[1], three[2]])
+        .collect();
+    let mut binary = vec![b's'; 80];
+    binary.extend((triangles.len() as u32).to_le_bytes());
+    for triangle in &triangles {
+        binary.extend([0; 12]);
+        binary.extend(
+            triangle
+                .iter()
+                .flatten()
+                .flat_map(|&value| (value as f32).to_le_bytes()),
+        );
+        binary.extend([0; 2]);
+    }
+    // Where both faces share points, STL has them once.
+    let count = |bytes: &[u8]| cloud(bytes).0.cloud.len();
+    let distinct = {
+        let mut keys: Vec<[u64; 3]> = corners.iter().map(|row| row.map(f64::to_bits)).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        keys.len()
+    };
+    assert_eq!(count(&binary), distinct);
+    let facets: String = triangles
+        .iter()
+        .map(|triangle| {
+            let corner = |[x, y, z]: [f64; 3]| format!("vertex {x} {y} {z}\n");
+            let corners = triangle.map(corner).concat();
+            format!("facet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n")
+        })
+        .collect();
+    assert_eq!(
+        count(format!("solid a\n{facets}endsolid a\n").as_bytes()),
+        distinct
+    );
+}
+
+#[test]
+fn vertex_groups_are_read_as_easy3d_and_as_its_documentation_write_them() {
+    let points: String = rows()
+        .iter()
+        .map(|([x, y, z], _)| format!("{x} {y} {z}\n"))
+        .collect();
+    for (key, colon) in [("group_num_point", ": "), ("group_num_points", ":")] {
+        let list = |range: std::ops::Range<u32>| {
+            range.map(|i| i.to_string()).collect::<Vec<_>>().join(" ")
+        };
+        let text = format!(
+            "num_points: 60\n{points}num_colors: 1\n1 0 0\nnum_normals: 0\nnum_groups: 2\n\
+             group_type: 0\nnum_group_parameters: 4\ngroup_parameters: 0 1 0 0\ngroup_label: unknown\n\
+             group_color: 0 0 1\n{key}{colon}30\n{}\nnum_children: 0\ngroup_type: 5\n\
+             num_group_parameters: 0\ngroup_parameters:\ngroup_label: b\ngroup_color: 0 0 1\n\
+             {key}{colon}29\n{}\nnum_children: 0\n",
+            list(0..30),
+            list(30..59)
+        );
+        let (file, findings) = cloud(text.as_bytes());
+        assert!(findings.is_empty(), "{findings:?}");
+        let segments = file.segments.unwrap();
+        assert_eq!(segments[0].kind, Some(crate::surface::SurfaceType::Plane));
+        assert_eq!((segments[1].kind, segments[1].points[0]), (None, 30));
+    }
+}
+
+#[test]
+fn files_packed_by_gzip_are_unpacked_whatever_they_are() {
+    let packed = |content: &[u8]| {
+        let mut bytes = vec![0x1F, 0x8B, 8, 8, 0, 0, 0, 0, 0, 3];
+        bytes.extend(b"name\0");
+        bytes.extend(miniz_oxide::deflate::compress_to_vec(content, 6));
+        bytes.extend([0; 8]);
+        bytes
+    };
+    let array = npy("<f8", "(60, 3)", &points(FLOATS[2].1, false));
+    is_whole(&packed(&array), false);
+    let text = read_foreign("a.xyz.gz", &packed(b"1 2 3\n"), Purpose::Truth);
+    assert_eq!(text, Some((Content::Text(b"1 2 3\n".to_vec()), vec![])));
+    let (file, findings) = cloud(&[0x1F, 0x8B, 8, 0, 1, 2]);
+    assert!(file.cloud.is_empty() && findings[0].message.contains("unpacked"));
+}
+
+#[test]
+fn texts_of_this_project_are_not_taken_for_others() {
+    for text in [
+        "Points:=[\n[1, 2, 3],\n]",
+        "Primitive1:=[1 2];",
+        "1 2 3\n4 5 6\n",
+        "x y z\n1 2 3\n",
+        "vx vy vz\n1 2 3\n",
+        "",
+        "solid rock, 3 points\n1 2 3\n",
+    ] {
+        assert_eq!(
+            read_foreign("a.txt", text.as_bytes(), Purpose::Truth),
+            None,
+            "{text}"
+        );
+    }
+}

@@ -1,0 +1,91 @@
+//! Who reads what. The benchmark's own files are read by whoever reads a model; those of other programs,
+//! rows of any kind and labels by functions handed to it, so that a build which leaves them to another
+//! carries none of their readers.
+
+use super::cloud::{self, CloudFile, read_cloud};
+use super::findings::{Findings, Kind};
+use super::foreign::{Content, Purpose, is_foreign, read_foreign};
+use super::labels::Segment;
+use super::segments::{is_of_labels, read_segments};
+use crate::cloud::Cloud;
+use crate::diagnostics::{Diagnostic, Severity, Subject};
+
+/// What came of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Taken<T> {
+    /// It is the benchmark's own, or as good as that.
+    Own,
+    /// It is not, and nobody here reads it.
+    Later,
+    /// It was read.
+    Read(T, Vec<Diagnostic>),
+}
+
+/// Readers of files that are not the benchmark's own.
+#[derive(Debug, Clone, Copy)]
+pub struct Readers {
+    /// Of clouds, by path and content.
+    pub(super) cloud: fn(&str, &[u8]) -> Taken<CloudFile>,
+    /// Of segments of a cloud; none where the file cannot be used.
+    pub(super) segments: ReadSegments,
+}
+
+type ReadSegments = fn(&str, &[u8], &Cloud, Purpose) -> Taken<Option<Vec<Segment>>>;
+
+impl Readers {
+    /// Those of every file.
+    pub const ALL: Self = Self {
+        cloud: read_any_cloud,
+        segments: read_any_segments,
+    };
+
+    /// Those that leave all but the benchmark's own files for later.
+    pub const OWN: Self = Self {
+        cloud: |file, bytes| taken(!is_foreign(file, bytes) && cloud::is_own(file, bytes)),
+        segments: |file, bytes, _, _| taken(!is_foreign(file, bytes) && !is_of_labels(bytes)),
+    };
+}
+
+fn taken<T>(own: bool) -> Taken<T> {
+    if own { Taken::Own } else { Taken::Later }
+}
+
+const LABELS: Kind = Kind {
+    subject: Subject::File,
+    severity: Severity::Error,
+    message: "This is not a cloud but a label for each point of one",
+    expected: "points",
+    hint: "Set its role to primitives, and its model to that of the cloud",
+};
+
+fn read_any_cloud(file: &str, bytes: &[u8]) -> Taken<CloudFile> {
+    match read_foreign(file, bytes, Purpose::Truth) {
+        Some((Content::Cloud(cloud), findings)) => Taken::Read(cloud, findings),
+        Some((Content::Labels(labels), _)) => {
+            let mut findings = Findings::new(file, &[]);
+            findings.add_whole(&LABELS, format!("{} labels", labels.len()));
+            Taken::Read(CloudFile::default(), findings.finish())
+        }
+        Some((Content::Text(text), _)) => {
+            let (cloud, findings) = read_cloud(file, &text);
+            Taken::Read(cloud, findings)
+        }
+        None if cloud::is_own(file, bytes) => Taken::Own,
+        None => {
+            let (cloud, findings) = read_cloud(file, bytes);
+            Taken::Read(cloud, findings)
+        }
+    }
+}
+
+fn read_any_segments(
+    file: &str,
+    bytes: &[u8],
+    cloud: &Cloud,
+    purpose: Purpose,
+) -> Taken<Option<Vec<Segment>>> {
+    match read_segments(file, bytes, cloud, purpose) {
+        Some((segments, findings)) => Taken::Read(segments, findings),
+        None => Taken::Own,
+    }
+}

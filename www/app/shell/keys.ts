@@ -1,0 +1,84 @@
+// Which key does what.
+
+import { adding } from "../intake/add-dialog";
+import { keysShown } from "../keyboard/sheet";
+import type { ShortcutGroup } from "../keyboard/shortcuts";
+import { focusSearch } from "../models/list";
+import { toggleProtocol } from "../measures/protocol-switch";
+import { stopRebuilding } from "../sharing/rebuild";
+import { sharing } from "../sharing/share";
+import { currentView, picturing } from "../stage/current";
+import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
+import { cancelFitting } from "../state/fitting";
+import { modelById, models } from "../state/models";
+import { shownPanel } from "../state/panels";
+import { cancelScoring } from "../state/scoring";
+import { selectedMethod, selectedModel, selectedPrimitive, selectModel } from "../state/selection";
+import { nextTheme } from "../state/settings";
+import { PANELS } from "./registry/panels";
+
+function stepModel(by: number): void {
+  const list = models.value;
+  const at = list.findIndex(({ id }) => id === selectedModel.value);
+  const next = list[Math.min(list.length - 1, Math.max(0, at + by))];
+  if (next) selectModel(next.id);
+}
+
+function nextMethod(): void {
+  const status = modelById(selectedModel.value)?.status;
+  if (status?.kind !== "scored") return;
+  const { methods } = status.result.info;
+  const at = methods.findIndex((method) => method === selectedMethod.value);
+  const next = methods[(at + 1) % methods.length];
+  if (next !== undefined) selectModel(selectedModel.value, next);
+}
+
+function stopWork(): void {
+  stopRebuilding();
+  cancelScoring();
+  cancelFitting();
+}
+
+export const KEYS: readonly ShortcutGroup[] = [
+  {
+    title: "Everywhere",
+    shortcuts: [
+      { key: "?", what: "Show these keys", run: () => (keysShown.value = true) },
+      { key: "o", shown: "O", what: "Add data", run: () => (adding.value = true) },
+      { key: "s", shown: "S", what: "Share and export", run: () => (sharing.value = true) },
+      { key: "c", shown: "C", what: "Save a picture of the view", run: () => (picturing.value = currentView.value !== undefined) },
+      { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
+      { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
+      { key: "x", shown: "X", what: "Stop scoring and fitting", run: stopWork },
+    ],
+  },
+  {
+    title: "Selected primitive",
+    shortcuts: [
+      { key: "f", shown: "F", what: "Frame it, or everything", run: frameSelected },
+      { key: "i", shown: "I", what: "Isolate it", run: toggleIsolated },
+      { key: "h", shown: "H", what: "Hide it", run: hideSelected },
+      { key: "a", shown: "A", what: "Show all again", run: showAll },
+      { key: "Escape", shown: "Esc", what: "Deselect it", run: () => (selectedPrimitive.value = undefined) },
+    ],
+  },
+  {
+    title: "Models",
+    shortcuts: [
+      { key: "/", what: "Search the models", run: focusSearch },
+      { key: "[", what: "Previous model", run: () => stepModel(-1) },
+      { key: "]", what: "Next model", run: () => stepModel(1) },
+      { key: "m", shown: "M", what: "Next method of this model", run: nextMethod },
+    ],
+  },
+  {
+    title: "Panels",
+    shortcuts: PANELS.slice(0, 10).map(({ id, title, offered }, i) => ({
+      key: String((i + 1) % 10),
+      what: offered ? `${title}, where a link is open` : title,
+      run: () => {
+        if (offered?.() ?? true) shownPanel.value = id;
+      },
+    })),
+  },
+];

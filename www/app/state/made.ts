@@ -1,0 +1,109 @@
+// What was made here, not brought as files: models, and submissions for any model on the page.
+
+import { batch, signal } from "@preact/signals";
+import type { FitRequest, ModelFile } from "../../worker/protocol";
+import type { Origin } from "./origin";
+
+export interface MadeModel {
+  readonly origin: Origin;
+  readonly files: readonly ModelFile[];
+  /** Whether it is only there to look at, and goes when the first files are brought. */
+  readonly makesRoom: boolean;
+}
+
+export interface MadeSubmission {
+  readonly files: readonly ModelFile[];
+  /** How it was fitted. */
+  readonly request: FitRequest;
+}
+
+/** The submissions of one model, by their names. */
+export type Submissions = ReadonlyMap<string, MadeSubmission>;
+
+/** By their names on the page. */
+export const madeModels = signal<ReadonlyMap<string, MadeModel>>(new Map());
+/** By the name of the model they are for. */
+export const madeSubmissions = signal<ReadonlyMap<string, Submissions>>(new Map());
+
+/** Whether a submission was made here, not brought. */
+export function isMadeHere(name: string, method: string): boolean {
+  return (
+    madeSubmissions.value.get(name)?.has(method) === true ||
+    madeModels.value.get(name)?.files.some((file) => file.method === method) === true
+  );
+}
+
+/** How a submission was fitted here; nothing for one that was brought. */
+export function fitOf(name: string, method: string): FitRequest | undefined {
+  return madeSubmissions.value.get(name)?.get(method)?.request;
+}
+
+/** Adds a submission to a model; one of the same name is replaced. */
+export function putSubmission(name: string, method: string, made: MadeSubmission): void {
+  const others = madeSubmissions.value.get(name) ?? new Map<string, MadeSubmission>();
+  madeSubmissions.value = new Map(madeSubmissions.value).set(name, new Map(others).set(method, made));
+}
+
+/** Takes a submission made here off its model. */
+export function removeSubmission(name: string, method: string): void {
+  batch(() => {
+    const fitted = madeSubmissions.value.get(name);
+    if (fitted?.has(method)) {
+      madeSubmissions.value = new Map(madeSubmissions.value).set(name, new Map([...fitted].filter(([other]) => other !== method)));
+    }
+    const model = madeModels.value.get(name);
+    if (model?.files.some((file) => file.method === method)) {
+      const files = model.files.filter((file) => file.method !== method);
+      madeModels.value = new Map(madeModels.value).set(name, { ...model, files });
+    }
+  });
+}
+
+/** Forgets what was made of and for one model. */
+export function forget(name: string): void {
+  batch(() => {
+    madeModels.value = new Map([...madeModels.value].filter(([other]) => other !== name));
+    madeSubmissions.value = new Map([...madeSubmissions.value].filter(([other]) => other !== name));
+  });
+}
+
+export function forgetAll(): void {
+  batch(() => {
+    madeModels.value = new Map();
+    madeSubmissions.value = new Map();
+  });
+}
+
+/**
+ * Models of these names come as files: what was only there to look at goes, and models made here that have such a name
+ * get others, with the submissions that were made for them.
+ */
+export function makeRoomFor(names: readonly string[]): void {
+  if (names.length === 0 || madeModels.value.size === 0) return;
+  const brought = new Set(names);
+  const taken = new Set([...brought, ...madeModels.value.keys()]);
+  const called = new Map<string, string>();
+  const models = [...madeModels.value].filter(([, { makesRoom }]) => !makesRoom);
+  for (const [name] of models) {
+    if (!brought.has(name)) continue;
+    const free = freeName(name, taken);
+    taken.add(free);
+    called.set(name, free);
+  }
+  const gone = new Set([...madeModels.value].flatMap(([name, { makesRoom }]) => (makesRoom ? [name] : [])));
+  const now = (name: string) => called.get(name) ?? name;
+  batch(() => {
+    madeModels.value = new Map(models.map(([name, model]) => [now(name), model]));
+    madeSubmissions.value = new Map(
+      [...madeSubmissions.value].filter(([name]) => !gone.has(name)).map(([name, made]) => [now(name), made]),
+    );
+  });
+}
+
+/** The name itself, or the first with a number that is not taken. */
+export function freeName(wanted: string, taken: ReadonlySet<string>): string {
+  if (!taken.has(wanted)) return wanted;
+  let number = 2;
+  while (taken.has(`${wanted}-${number}`)) number += 1;
+  return `${wanted}-${number}`;
+}

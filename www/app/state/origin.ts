@@ -1,0 +1,17 @@
+// Where models come from.
+
+import type { SampleOptions } from "../engine/contract";
+
+export type SetName = "training" | "test";
+
+/** One of the public models. */
+export interface PublicModel {
+  readonly set: SetName;
+  readonly number: number;
+}
+
+/** Where a model came from; a sample can be made again, a public model fetched again, from this alone. */
+export type Origin =
+  | { readonly kind: "files" }
+  | { readonly kind: "public"; readonly model: PublicModel }
+  | { readonly kind: "sample"; readonly part: string; readonly options: SampleOptions };
