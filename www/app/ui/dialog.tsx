@@ -2,7 +2,7 @@
 
 import type { ComponentChildren, JSX } from "preact";
 import type { Signal } from "@preact/signals";
-import { useEffect, useId, useRef } from "preact/hooks";
+import { useLayoutEffect, useId, useRef } from "preact/hooks";
 import { Icon } from "./icon";
 
 interface Props {
@@ -19,7 +19,8 @@ export function Dialog({ open, title, className = "", children }: Props): JSX.El
   const id = useId();
   const shown = open.value;
 
-  useEffect(() => {
+  // Before the page is painted: keys pressed once it is seen are meant for the dialog.
+  useLayoutEffect(() => {
     const element = dialog.current;
     if (shown && element && !element.open) element.showModal();
     if (!shown && element?.open) {
