@@ -99,3 +99,51 @@ test("a page that does not exist says so and leads back", async ({ page }) => {
   await page.getByRole("link", { name: "Back to the scores" }).click();
   await expect(rows(page)).toHaveCount(1);
 });
+
+test("the first screen says what this is and leads three ways on; the picture can have the room of the tables; what is removed can be had back", async ({ page }) => {
+  await open(page);
+  const door = page.getByRole("region", { name: "What this is" });
+  await expect(door).toContainText("point clouds of CAD objects");
+  await door.getByRole("button", { name: "Fit my scan" }).click();
+  await expect(page.getByRole("dialog", { name: "Add data" })).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("tab", { name: "Fit" })).toHaveAttribute("aria-selected", "true");
+
+  const box = page.locator(".canvas-box");
+  const height = async () => (await box.boundingBox())?.height ?? 0;
+  const shared = await height();
+  await page.getByRole("button", { name: "Tables" }).click();
+  await expect(page.getByRole("tabpanel")).toHaveCount(0);
+  await expect.poll(height).toBeGreaterThan(1.3 * shared);
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(page.getByRole("tabpanel")).toBeVisible();
+  await page.getByRole("button", { name: "Picture alone" }).click();
+  await expect(page.getByRole("tablist")).toBeHidden();
+  await expect.poll(height).toBeGreaterThan(1.5 * shared);
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("tablist")).toBeVisible();
+
+  // Points that are clicked measure, and are taken back one by one.
+  await page.keyboard.press("e");
+  const tape = page.locator(".tape");
+  await expect(tape).toHaveText("Click a point to measure from.");
+  const canvas = await box.boundingBox();
+  if (!canvas) throw new Error("no canvas");
+  for (const [x, y, said] of [[0.25, 0.4, "Click a second point."], [0.3, 0.62, /^Distance \d/], [0.25, 0.55, /angle \d+\.\d\d°, radius/]] as const) {
+    await page.mouse.click(canvas.x + x * canvas.width, canvas.y + y * canvas.height);
+    await expect(tape).toHaveText(said);
+  }
+  for (let turn = 0; turn < 4; turn += 1) await page.keyboard.press("Escape");
+  await expect(tape).toHaveCount(0);
+
+  await page.getByRole("button", { name: "Remove everything" }).click();
+  await expect(page.getByText("Drop a point cloud anywhere on the page.")).toBeVisible();
+  await expect(door).toBeVisible();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(page.locator(".models").getByRole("button", { name: /^bracket/ })).toBeVisible();
+
+  // On a phone the picture stays in sight while the tables scroll beneath it.
+  await page.setViewportSize({ width: 390, height: 740 });
+  await page.locator(".panel").evaluate((panel) => panel.scrollIntoView());
+  await expect.poll(async () => (await box.boundingBox())?.y ?? -1).toBe(0);
+});

@@ -2,7 +2,8 @@
 
 import type { JSX } from "preact";
 import { fitRun, methodsOf, shareDone, type Fit, type FitRun, type FitState } from "../state/fitting";
-import { isMadeHere, removeSubmission } from "../state/made";
+import { removeMade } from "../state/contents";
+import { isMadeHere } from "../state/made";
 import { modelById } from "../state/models";
 import { selectModel, selectedMethod, selectedModel } from "../state/selection";
 import { protocol } from "../state/settings";
@@ -89,7 +90,7 @@ function Row({ fit, place }: { fit: Fit; place: Place }): JSX.Element {
             type="button"
             class="link"
             aria-label={`Remove ${result.method} of ${fit.model}`}
-            onClick={() => removeSubmission(fit.model, result.method)}
+            onClick={() => removeMade(fit.model, result.method)}
           >
             Remove
           </button>

@@ -2,10 +2,10 @@
 
 import type { JSX } from "preact";
 import { computed, signal } from "@preact/signals";
-import { adding } from "../intake/add-dialog";
 import { taking } from "../intake/intake";
 import type { Measure, ModelInfo } from "../engine/contract";
 import { MEASURES } from "../measures/measures";
+import { untouched } from "../state/contents";
 import { models, type ModelEntry } from "../state/models";
 import { resumeScoring } from "../state/scoring";
 import { protocol } from "../state/settings";
@@ -13,6 +13,7 @@ import { selectedMethod, selectedModel, selectModel } from "../state/selection";
 import * as format from "../ui/format";
 import { Icon } from "../ui/icon";
 import { Seen, type Place } from "../ui/seen";
+import { FrontDoor } from "./front-door";
 
 type Order = "model" | "points" | "diagnostics" | Measure;
 
@@ -59,7 +60,7 @@ export function ModelList(): JSX.Element {
   const stopped = models.value.filter(({ status }) => status.kind === "stopped").length;
   const counted = shown.length === total ? format.plural(total, "model") : `${shown.length} of ${total} models`;
   return (
-    <aside class="models" aria-label="Models">
+    <aside class="models" aria-label="Models" data-untouched={untouched.value || undefined}>
       <div class="models-tools">
         <label class="search">
           <span class="visually-hidden">Search the models</span>
@@ -94,9 +95,7 @@ export function ModelList(): JSX.Element {
           </button>
         )}
       </p>
-      {total === 0 ? (
-        <Empty />
-      ) : (
+      {total > 0 && (
         <Seen
           as="ul"
           items={shown}
@@ -104,6 +103,8 @@ export function ModelList(): JSX.Element {
           draw={(entry, place) => <Item key={entry.id} entry={entry} by={order.value} place={place} />}
         />
       )}
+      {taking.value && total === 0 && <p class="empty">Reading files…</p>}
+      {untouched.value && !taking.value && <FrontDoor sample={total > 0} />}
     </aside>
   );
 }
@@ -148,16 +149,4 @@ function Item({ entry, by, place }: { entry: ModelEntry; by: Order; place: Place
 function whyUnscored({ hasTruth, methods }: ModelInfo): string {
   if (hasTruth) return "truth only";
   return methods.length > 0 ? "no truth" : "points only";
-}
-
-function Empty(): JSX.Element {
-  if (taking.value) return <p class="empty">Reading files…</p>;
-  return (
-    <div class="empty">
-      <p>No models yet. Drop Fit4CAD files, folders or a zip anywhere on the page.</p>
-      <button type="button" onClick={() => (adding.value = true)}>
-        Add data
-      </button>
-    </div>
-  );
 }

@@ -7,13 +7,15 @@ interface Props {
   readonly id: string;
   /** Whether a page under this one is shown. */
   readonly leads?: boolean;
+  readonly class?: string;
   readonly children: ComponentChildren;
 }
 
-export function PageLink({ id, leads = false, children }: Props): JSX.Element {
+export function PageLink({ id, leads = false, class: look, children }: Props): JSX.Element {
   return (
     <a
       href={addressOf(id)}
+      class={look}
       aria-current={id === page.value ? "page" : leads ? "true" : undefined}
       onClick={(event) => {
         if (event.ctrlKey || event.metaKey || event.shiftKey) return;

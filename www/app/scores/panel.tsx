@@ -3,6 +3,7 @@
 import type { JSX } from "preact";
 import { rulesOf } from "../measures/protocols";
 import { methods, models, scoredRows } from "../state/models";
+import { showPanel } from "../state/panels";
 import { protocol, remembered } from "../state/settings";
 import * as format from "../ui/format";
 import { PaperTable } from "./paper";
@@ -46,9 +47,14 @@ function NothingScored(): JSX.Element {
   if (waiting) return <p class="empty">Scoring…</p>;
   if (models.value.length === 0) return <p class="empty">No models yet.</p>;
   return (
-    <p class="empty">
-      Nothing to score: a model needs its ground truth and at least one submission. Add the missing files, or correct
-      what they are under Files.
-    </p>
+    <div class="empty">
+      <p>
+        Nothing to score: a model needs its ground truth and at least one submission. Add the missing files, correct what
+        they are under Files, or have the primitives found here.
+      </p>
+      <button type="button" onClick={() => showPanel("fit")}>
+        Find the primitives
+      </button>
+    </div>
   );
 }

@@ -9,9 +9,11 @@ import { stopRebuilding } from "../sharing/rebuild";
 import { sharing } from "../sharing/share";
 import { currentView, picturing } from "../stage/current";
 import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
+import { takeTapeBack, toggleMeasuring } from "../stage/tape";
 import { cancelFitting } from "../state/fitting";
 import { modelById, models } from "../state/models";
-import { shownPanel } from "../state/panels";
+import { alone, toggleAlone, toggleTables } from "../state/extent";
+import { showPanel } from "../state/panels";
 import { cancelScoring } from "../state/scoring";
 import { selectedMethod, selectedModel, selectedPrimitive, selectModel } from "../state/selection";
 import { nextTheme } from "../state/settings";
@@ -33,6 +35,13 @@ function nextMethod(): void {
   if (next !== undefined) selectModel(selectedModel.value, next);
 }
 
+/** Takes back one thing: what was chosen last. */
+function leave(): void {
+  if (takeTapeBack()) return;
+  if (selectedPrimitive.value) selectedPrimitive.value = undefined;
+  else alone.value = false;
+}
+
 function stopWork(): void {
   stopRebuilding();
   cancelScoring();
@@ -47,6 +56,9 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "o", shown: "O", what: "Add data", run: () => (adding.value = true) },
       { key: "s", shown: "S", what: "Share and export", run: () => (sharing.value = true) },
       { key: "c", shown: "C", what: "Save a picture of the view", run: () => (picturing.value = currentView.value !== undefined) },
+      { key: "v", shown: "V", what: "Show the picture alone, or beside the tables", run: toggleAlone },
+      { key: "d", shown: "D", what: "Fold the tables, or open them", run: toggleTables },
+      { key: "e", shown: "E", what: "Measure between points that are clicked", run: toggleMeasuring },
       { key: "p", shown: "P", what: "Switch the protocol", run: toggleProtocol },
       { key: "t", shown: "T", what: "Change the theme", run: nextTheme },
       { key: "x", shown: "X", what: "Stop scoring and fitting", run: stopWork },
@@ -59,7 +71,7 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "i", shown: "I", what: "Isolate it", run: toggleIsolated },
       { key: "h", shown: "H", what: "Hide it", run: hideSelected },
       { key: "a", shown: "A", what: "Show all again", run: showAll },
-      { key: "Escape", shown: "Esc", what: "Deselect it", run: () => (selectedPrimitive.value = undefined) },
+      { key: "Escape", shown: "Esc", what: "Take back the last point measured, the selection, the picture alone", run: leave },
     ],
   },
   {
@@ -77,7 +89,7 @@ export const KEYS: readonly ShortcutGroup[] = [
       key: String((i + 1) % 10),
       what: offered ? `${title}, where a link is open` : title,
       run: () => {
-        if (offered?.() ?? true) shownPanel.value = id;
+        if (offered?.() ?? true) showPanel(id);
       },
     })),
   },

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { signal } from "@preact/signals";
 
 /** Share of the height that the views have, in per cent. */
-export const viewsShare = signal(55);
+export const viewsShare = signal(64);
 
 const LEAST = 20;
 const MOST = 85;

@@ -23,6 +23,17 @@ export function StatusBar(): JSX.Element {
       <FittingWork stoppable={rebuilding.value === undefined} />
       <p class="notice" role="status" data-kind={shown?.kind}>
         {shown?.text}
+        {shown?.offer && (
+          <button
+            type="button"
+            onClick={() => {
+              shown.offer?.run();
+              dismiss();
+            }}
+          >
+            {shown.offer.title}
+          </button>
+        )}
         {shown && (
           <button type="button" class="icon" aria-label="Dismiss the message" onClick={dismiss}>
             <Icon name="close" />

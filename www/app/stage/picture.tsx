@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
+import { models } from "../state/models";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedPrimitive, togglePrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
@@ -14,6 +15,7 @@ import { Legend } from "./legend";
 import { link } from "./link";
 import { SelectionTools } from "./selection-tools";
 import { SideName } from "./side-name";
+import { measuring, measureTo, Tape } from "./tape";
 import { Tools } from "./tools";
 import { primitiveAt, Tooltip, type Pointed } from "./tooltip";
 
@@ -39,6 +41,7 @@ export function Picture(): JSX.Element {
         {!(current.kind === "single" && current.side === 0) && <SideName at="right" />}
         <Legend />
         <SelectionTools />
+        <Tape view={currentView.value} />
         {pointed.value && <Tooltip {...pointed.value} />}
         <State />
       </div>
@@ -58,6 +61,10 @@ function attach(created: PointView): () => void {
     hoveredPrimitive.value = refOf(hit);
   });
   created.on("click", (hit) => {
+    if (measuring.value) {
+      if (hit) measureTo(hit);
+      return;
+    }
     const ref = refOf(hit);
     if (ref) togglePrimitive(ref);
     else selectedPrimitive.value = undefined;
@@ -95,6 +102,8 @@ function State(): JSX.Element | null {
     );
   }
   if (state.kind === "loading" || !currentView.value) return <p class="canvas-state">Opening…</p>;
-  if (state.kind === "none") return <p class="canvas-state">Choose a model to see its points.</p>;
+  if (state.kind === "none") {
+    return <p class="canvas-state">{models.value.length > 0 ? "Choose a model to see its points." : "Drop a point cloud anywhere on the page."}</p>;
+  }
   return null;
 }

@@ -4,7 +4,9 @@ import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import type { PointView } from "../view/point-view";
 import { LookFrom } from "../view/look-from";
+import { alone, toggleAlone } from "../state/extent";
 import { scene } from "../state/scene";
+import { Icon } from "../ui/icon";
 import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 import { picturing } from "./current";
@@ -19,6 +21,7 @@ import {
   unsegmentedShown,
   type Arrangement,
 } from "./display";
+import { measuring, toggleMeasuring } from "./tape";
 
 export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
   return (
@@ -52,6 +55,19 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
       </button>
       <button type="button" disabled={!view || scene.value.kind !== "ready"} title="Save a picture (C)" onClick={() => (picturing.value = true)}>
         Save picture
+      </button>
+      <button
+        type="button"
+        class="icon alone"
+        aria-pressed={alone.value}
+        aria-label="Picture alone"
+        title={alone.value ? "Show the tables again (V, Esc)" : "Show the picture alone (V)"}
+        onClick={toggleAlone}
+      >
+        <Icon name={alone.value ? "shrink" : "spread"} />
+      </button>
+      <button type="button" aria-pressed={measuring.value} title="Measure distance, angle and radius between points (E)" onClick={toggleMeasuring}>
+        Measure
       </button>
       <Popover label="Display">
         <div class="display-options">

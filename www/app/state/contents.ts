@@ -5,8 +5,9 @@ import { batch, computed } from "@preact/signals";
 import type { Grouping } from "../engine/contract";
 import type { FitRequest, ModelFile, ModelSource } from "../../worker/protocol";
 import { sourceOf } from "./content";
-import { brought, discard, discardAll, grouping, overrides } from "./inbox";
-import { forget, forgetAll, madeModels, madeSubmissions, putSubmission, type MadeModel, type Submissions } from "./made";
+import { brought, discard, discardAll, grouping, keepBrought, overrides } from "./inbox";
+import { forget, forgetAll, keepAllMade, madeModels, madeSubmissions, onlyOpening, putSubmission, removeSubmission, type MadeModel, type Submissions } from "./made";
+import { notify } from "./notices";
 import type { Origin } from "./origin";
 
 /** A model as its files. The same object as long as nothing of it changes. */
@@ -41,6 +42,9 @@ export const contents = computed<readonly Content[]>(() => {
   return all.map((content) => withSubmissions(content, madeSubmissions.value.get(content.id)));
 });
 
+/** Whether nothing was brought or asked for yet: there is nothing, or the sample that opens the page. */
+export const untouched = computed(() => broughtContents.value.length === 0 && onlyOpening.value);
+
 const byId = computed(() => new Map(contents.value.map((content) => [content.id, content])));
 
 /** Adds a submission made here (by a fitter) to a model that is on the page. */
@@ -52,18 +56,30 @@ export function addSubmission(name: string, method: string, files: readonly Mode
 export function remove(id: string): void {
   const content = byId.value.get(id);
   if (!content) return;
-  batch(() => {
+  undoably(`${id} was removed.`, () => {
     forget(id);
     discard(new Set(content.source.files.map(({ path }) => path)));
   });
 }
 
+/** Takes a submission made here off its model. */
+export function removeMade(id: string, method: string): void {
+  undoably(`${method} of ${id} was removed.`, () => removeSubmission(id, method));
+}
+
 /** Takes everything off the page. */
 export function clear(): void {
-  batch(() => {
+  undoably("Everything was removed.", () => {
     forgetAll();
     discardAll();
   });
+}
+
+/** Removes something, and offers to have it back for as long as the message stands. */
+function undoably(text: string, removal: () => void): void {
+  const back = [keepBrought(), keepAllMade()];
+  batch(removal);
+  notify(text, "info", { title: "Undo", run: () => batch(() => back.forEach((put) => put())) });
 }
 
 /** A model whose cloud and truth are those of one public model, as downloaded and not corrected, is that model. */

@@ -73,6 +73,17 @@ export function discard(paths: ReadonlySet<string>): void {
   brought.value = new Map([...brought.value].filter(([path]) => !paths.has(path)));
 }
 
+/** Remembers the heap: the result puts back what has been taken off it since. */
+export function keepBrought(): () => void {
+  const before = { heap: brought.value, corrected: overrides.value, lacking: refused.value };
+  return () =>
+    batch(() => {
+      brought.value = new Map([...before.heap, ...brought.value]);
+      overrides.value = { ...before.corrected, ...overrides.value };
+      refused.value = new Map([...before.lacking, ...refused.value]);
+    });
+}
+
 /** Takes everything off the heap, with what was said of it. */
 export function discardAll(): void {
   batch(() => {

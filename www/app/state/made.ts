@@ -1,6 +1,6 @@
 // What was made here, not brought as files: models, and submissions for any model on the page.
 
-import { batch, signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
 import type { FitRequest, ModelFile } from "../../worker/protocol";
 import type { Origin } from "./origin";
 
@@ -22,6 +22,8 @@ export type Submissions = ReadonlyMap<string, MadeSubmission>;
 
 /** By their names on the page. */
 export const madeModels = signal<ReadonlyMap<string, MadeModel>>(new Map());
+/** Whether all that was made here is only there to look at. */
+export const onlyOpening = computed(() => [...madeModels.value.values()].every(({ makesRoom }) => makesRoom));
 /** By the name of the model they are for. */
 export const madeSubmissions = signal<ReadonlyMap<string, Submissions>>(new Map());
 
@@ -57,6 +59,18 @@ export function removeSubmission(name: string, method: string): void {
       madeModels.value = new Map(madeModels.value).set(name, { ...model, files });
     }
   });
+}
+
+/** Remembers what was made: the result puts back what has been removed since. */
+export function keepAllMade(): () => void {
+  const before = { models: madeModels.value, submissions: madeSubmissions.value };
+  return () =>
+    batch(() => {
+      madeModels.value = new Map([...before.models, ...madeModels.value]);
+      const names = new Set([...before.submissions.keys(), ...madeSubmissions.value.keys()]);
+      const both = (name: string) => [...(before.submissions.get(name) ?? []), ...(madeSubmissions.value.get(name) ?? [])];
+      madeSubmissions.value = new Map([...names].map((name) => [name, new Map(both(name))]));
+    });
 }
 
 /** Forgets what was made of and for one model. */

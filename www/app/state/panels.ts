@@ -1,6 +1,7 @@
 // Which panel under the views is shown.
 
 import { signal } from "@preact/signals";
+import { tables } from "./extent";
 
 export const shownPanel = signal("measures");
 
@@ -9,9 +10,15 @@ export function tabOf(id: string): string {
   return `tab-${id}`;
 }
 
+/** Shows a panel, also where the tables were folded. */
+export function showPanel(id: string): void {
+  shownPanel.value = id;
+  tables.value = "open";
+}
+
 /** Shows a panel and goes there, also where it is below the edge of a small window. */
 export function goToPanel(id: string): void {
-  shownPanel.value = id;
+  showPanel(id);
   const tab = document.getElementById(tabOf(id));
   tab?.focus({ preventScroll: true });
   tab?.scrollIntoView({ block: "start", inline: "nearest" });

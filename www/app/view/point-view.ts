@@ -46,6 +46,8 @@ export class PointView {
   private readonly picks: PickQueue;
   private hovered = "";
   private stale = true;
+  /** Frames anew what was framed last, until the reader or the page moves the camera otherwise. */
+  private frameAgain: (() => void) | undefined;
 
   /**
    * Loads the renderer and lets it draw on a canvas. The canvas takes its size from the style sheet.
@@ -178,7 +180,12 @@ export class PointView {
 
   setLayout(layout: Layout): void {
     this.layout = layout;
-    this.change((view) => view.set_layout(layout));
+    this.change((view) => {
+      const before = view.aspect(this.canvas.width, this.canvas.height);
+      view.set_layout(layout);
+      // A side of another shape shows what was framed whole again.
+      if (view.aspect(this.canvas.width, this.canvas.height) !== before) this.frameAgain?.();
+    });
   }
 
   getLayout(): Layout {
@@ -212,6 +219,7 @@ export class PointView {
 
   /** False where the numbers make no camera; nothing changes then. */
   setCamera(state: CameraState, animated = false): boolean {
+    this.frameAgain = undefined;
     return this.change((view) => view.set_camera(state, this.animated(animated)));
   }
 
@@ -237,36 +245,44 @@ export class PointView {
   }
 
   lookFrom(standpoint: Standpoint, animated = true): void {
+    this.frameAgain = undefined;
     this.change((view) => view.look_from(standpoint, this.animated(animated)));
   }
 
   /** Frames the whole cloud. */
   fit(animated = true): void {
     this.change((view) => view.fit(this.animated(animated)));
+    this.frameAgain = () => this.view.fit(false);
   }
 
   /** Frames the points of some labels. */
   fitLabels(side: Side, labels: ArrayLike<number>, animated = true): void {
-    this.change((view) => view.fit_labels(side, Uint32Array.from(labels), this.animated(animated)));
+    const framed = Uint32Array.from(labels);
+    this.change((view) => view.fit_labels(side, framed, this.animated(animated)));
+    this.frameAgain = () => this.view.fit_labels(side, framed, false);
   }
 
   /** Turns the cloud about the axes of the screen, in radians: to the right, downwards, counter-clockwise. */
   turn(yaw: number, pitch: number, roll = 0): void {
+    this.frameAgain = undefined;
     this.change((view) => view.turn(yaw, pitch, roll));
   }
 
   /** Turns the cloud as if a ball around it were dragged. Pixels of the page, as in all that follows. */
   drag(x0: number, y0: number, x1: number, y1: number): void {
     const ratio = this.ratio;
+    this.frameAgain = undefined;
     this.change((view) => view.drag(x0 * ratio, this.up(y0), x1 * ratio, this.up(y1)));
   }
 
   pan(dx: number, dy: number): void {
+    this.frameAgain = undefined;
     this.change((view) => view.pan(dx * this.ratio, -dy * this.ratio));
   }
 
   /** Enlarges around a position; around the middle where none is given. */
   zoom(factor: number, x = -1, y = -1): void {
+    this.frameAgain = undefined;
     this.change((view) => {
       if (x >= 0 && y >= 0) view.zoom(factor, x * this.ratio, this.up(y));
       else view.zoom_centre(factor);
@@ -438,10 +454,12 @@ export class PointView {
     const width = exact?.inlineSize ?? Math.round(canvas.clientWidth * this.ratio);
     const height = exact?.blockSize ?? Math.round(canvas.clientHeight * this.ratio);
     if (width === 0 || height === 0) return;
-    this.keepInSight(this.view.aspect(canvas.width, canvas.height), this.view.aspect(width, height));
+    const again = this.frameAgain;
+    if (!again) this.keepInSight(this.view.aspect(canvas.width, canvas.height), this.view.aspect(width, height));
     canvas.width = width;
     canvas.height = height;
     this.view.resize(width, height, this.ratio);
+    again?.();
     // Setting the size empties the canvas: draw before it is shown.
     if (this.usable) this.stale = this.view.draw(performance.now(), 0);
     if (this.stale) this.schedule();

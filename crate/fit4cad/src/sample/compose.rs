@@ -323,6 +323,21 @@ mod tests {
         }
     }
 
+    /// Each pair of their faces crosses in rounding alone, all over: to look into each crossing took minutes.
+    #[test]
+    fn blocks_that_nearly_coincide_are_sampled_like_others() {
+        for shape in [Shape::Cuboid, Shape::Cylinder, Shape::Sphere] {
+            let near = |k: u32| Block {
+                position: [1e-9 * f64::from(k), 0.0, -2e-9 * f64::from(k)],
+                rotation: [0.0, 1e-8 * f64::from(k), 0.0],
+                ..block(shape)
+            };
+            let blocks: Vec<Block> = (0..12).map(near).collect();
+            let model = build("near", &compose(&blocks).unwrap(), &COARSE).unwrap();
+            assert!(model.cloud.len() > 100);
+        }
+    }
+
     #[test]
     fn what_is_wrong_with_a_block_is_said_with_its_number() {
         let good = block(Shape::Cuboid);

@@ -4,6 +4,7 @@
 import type { JSX } from "preact";
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { isDark } from "../../state/settings";
 import { SEQUENTIAL, sample } from "../../view/palette";
 import type { MaximumInfo, SliceInfo } from "../../../generated/engine/engine.js";
 
@@ -29,16 +30,18 @@ export function Accumulator(props: Props): JSX.Element {
   const cursor = useSignal(chosen ?? 0);
   const { rows, columns } = slice;
   const count = rows.count * columns.count;
+  const dark = isDark();
 
   useEffect(() => {
     const context = canvas.current?.getContext("2d");
     if (!context) return;
-    // Cells without votes, and before the first vote all are.
+    // Cells without votes.
     context.fillStyle = sample(SEQUENTIAL, 0);
     context.fillRect(0, 0, SIZE, SIZE);
-    if (relief) drawRelief(context, props);
+    if (isEmpty(heights)) drawGrid(context, slice, ink(context.canvas));
+    else if (relief) drawRelief(context, props);
     else drawMap(context, props);
-  }, [slice, heights, top, lit, chosen, maxima, relief]);
+  }, [slice, heights, top, lit, chosen, maxima, relief, dark]);
 
   const walk = (event: KeyboardEvent) => {
     const by = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: columns.count, ArrowDown: -columns.count }[event.key];
@@ -74,11 +77,64 @@ export function Accumulator(props: Props): JSX.Element {
         }}
       />
       <p class="hint">
-        To the right: {columns.name}. Upwards: {rows.name}. Pale is many votes, up to {top}; dark is none.
-        {!heights.some((votes) => votes > 0) && " No point has voted yet."}
+        To the right: {columns.name}. Upwards: {rows.name}.{" "}
+        {isEmpty(heights)
+          ? `Each of the ${rows.count} by ${columns.count} cells is a range of surfaces. No point has voted yet.`
+          : `Pale is many votes, up to ${top}; dark is none.`}
       </p>
     </div>
   );
+}
+
+function isEmpty(heights: Float32Array): boolean {
+  return !heights.some((votes) => votes > 0);
+}
+
+/** Colours of what is drawn, from the style sheet: the grid lies on the page, not on a scale. */
+function ink(canvas: HTMLCanvasElement): Record<"ground" | "line" | "text", string> {
+  const style = getComputedStyle(canvas);
+  const of = (name: string) => style.getPropertyValue(name).trim();
+  return { ground: of("--surface"), line: of("--line"), text: of("--ink-soft") };
+}
+
+/** Cells before the first vote, and what lies along the axes. */
+function drawGrid(context: CanvasRenderingContext2D, { rows, columns }: SliceInfo, colour: ReturnType<typeof ink>): void {
+  context.fillStyle = colour.ground;
+  context.fillRect(0, 0, SIZE, SIZE);
+  context.strokeStyle = colour.line;
+  context.lineWidth = 1;
+  context.beginPath();
+  // Every tenth line: of all of them nothing but grey would be seen.
+  for (let column = 0; column <= columns.count; column += 10) {
+    const x = (column / columns.count) * SIZE;
+    context.moveTo(x, 0);
+    context.lineTo(x, SIZE);
+  }
+  for (let row = 0; row <= rows.count; row += 10) {
+    const y = (row / rows.count) * SIZE;
+    context.moveTo(0, y);
+    context.lineTo(SIZE, y);
+  }
+  context.stroke();
+  context.fillStyle = colour.text;
+  context.font = "18px system-ui, sans-serif";
+  const end = ({ start, step, count }: SliceInfo["rows"], of: number) => (start + step * count * of).toPrecision(3);
+  const halo = (text: string, x: number, y: number, align: CanvasTextAlign) => {
+    context.textAlign = align;
+    context.lineWidth = 6;
+    context.strokeStyle = colour.ground;
+    context.strokeText(text, x, y);
+    context.fillText(text, x, y);
+  };
+  halo(end(columns, 0), 8, SIZE - 10, "left");
+  halo(`${columns.name} →`, SIZE / 2, SIZE - 10, "center");
+  halo(end(columns, 1), SIZE - 8, SIZE - 10, "right");
+  halo(end(rows, 1), 8, 24, "left");
+  context.save();
+  context.translate(24, SIZE / 2);
+  context.rotate(-Math.PI / 2);
+  halo(`${rows.name} →`, 0, 0, "center");
+  context.restore();
 }
 
 function drawMap(context: CanvasRenderingContext2D, { slice, heights, top, lit, chosen, maxima }: Props): void {

@@ -51,18 +51,19 @@ export const STEPS: readonly HoughStep[] = [
         <p>
           A surface of the family is a point in <b>parameter space</b>. A cylinder has five parameters, and a picture has
           two axes; so three are held at those of one face of this part: axis and radius. (The fitter itself finds them
-          first, on coarser accumulators.) The square is what remains. To the right:{" "}
-          {slice.value?.columns.name}. Upwards: {slice.value?.rows.name}.
+          first, on coarser accumulators.) The square is what remains.
+          {slice.value && ` To the right: ${slice.value.columns.name}. Upwards: ${slice.value.rows.name}.`}
         </p>
         {slice.value && (
           <p>
             Held: <b>{slice.value.base.type}</b>, {written(slice.value.base)}.
           </p>
         )}
-        <p class="hint">
-          The part has {plural((part.value?.positions.length ?? 0) / 3, "point")}, with a little noise, as measured points
-          would.
-        </p>
+        {part.value && (
+          <p class="hint">
+            The part has {plural(part.value.positions.length / 3, "point")}, with a little noise, as measured points would.
+          </p>
+        )}
       </>
     ),
   },

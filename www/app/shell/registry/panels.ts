@@ -9,6 +9,8 @@ import { isLinkOpen, SHARED_PANEL } from "../../sharing/opened";
 export interface PanelDefinition {
   readonly id: string;
   readonly title: string;
+  /** What it is for, in a line. */
+  readonly what: string;
   /** A figure or mark beside the title; may read signals. */
   readonly badge?: () => ComponentChildren;
   /** Whether there is anything to show just now; may read signals. */
@@ -17,15 +19,15 @@ export interface PanelDefinition {
 }
 
 export const PANELS: readonly PanelDefinition[] = [
-  { id: "measures", title: "Measures", load: () => import("../../scores/panel") },
-  { id: "primitives", title: "Primitives", load: () => import("../../primitives/panel") },
-  { id: "overlooked", title: "Overlooked", load: () => import("../../overlooked/panel") },
-  { id: "charts", title: "Charts", load: () => import("../../charts/panel") },
-  { id: "fit", title: "Fit", load: () => import("../../fit/panel") },
-  { id: "diagnostics", title: "Diagnostics", badge: diagnosticsBadge, load: () => import("../../diagnostics/panel") },
-  { id: "audit", title: "Audit", load: () => import("../../audit/panel") },
-  { id: "comparison", title: "Comparison", load: () => import("../../comparison/panel") },
-  { id: "field", title: "Protocols", load: () => import("../../field/panel") },
-  { id: "files", title: "Files", load: () => import("../../files/panel") },
-  { id: SHARED_PANEL, title: "Shared", offered: isLinkOpen, badge: sharedBadge, load: () => import("../../sharing/panel") },
+  { id: "measures", title: "Measures", what: "The nine measures of every submission", load: () => import("../../scores/panel") },
+  { id: "primitives", title: "Primitives", what: "Every primitive, true and found: its figures, surface and points", load: () => import("../../primitives/panel") },
+  { id: "overlooked", title: "Overlooked", what: "What no measure shows: pieces too many, primitives shared or missed, points in none", load: () => import("../../overlooked/panel") },
+  { id: "charts", title: "Charts", what: "How measures and distances are spread", load: () => import("../../charts/panel") },
+  { id: "fit", title: "Fit", what: "Find the primitives of a cloud here", load: () => import("../../fit/panel") },
+  { id: "diagnostics", title: "Diagnostics", what: "What is wrong with the files, and what to do", badge: diagnosticsBadge, load: () => import("../../diagnostics/panel") },
+  { id: "audit", title: "Audit", what: "Whether a ground truth says what its points say", load: () => import("../../audit/panel") },
+  { id: "comparison", title: "Comparison", what: "Two methods, model by model", load: () => import("../../comparison/panel") },
+  { id: "field", title: "Protocols", what: "The same results by the rules of the field", load: () => import("../../field/panel") },
+  { id: "files", title: "Files", what: "Which file is taken for what, to be corrected", load: () => import("../../files/panel") },
+  { id: SHARED_PANEL, title: "Shared", what: "What the link of this page holds, and whether it is borne out", offered: isLinkOpen, badge: sharedBadge, load: () => import("../../sharing/panel") },
 ];

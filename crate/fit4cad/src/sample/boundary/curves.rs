@@ -154,52 +154,125 @@ fn meetings(boundary: &Boundary, pair: [usize; 2], step: f64) -> Vec<Curve> {
     found
 }
 
-/// Points of a grid on one face where the other's carrier passes through.
+/// Points of a grid on one face where the other's carrier passes through at an angle that can be
+/// followed.
 fn crossings(boundary: &Boundary, face: usize, other: usize) -> Vec<Point> {
-    const STEPS: usize = 48;
-    let Face { solid, .. } = boundary.faces[face];
-    let (face, solid) = (&boundary.faces[face], &boundary.solids[solid]);
-    let Domain { low, high, .. } = face.domain(solid);
-    let chart = |i: f64, j: f64| -> Chart {
-        [(0, i), (1, j)].map(|(k, step)| low[k] + (high[k] - low[k]) * step / STEPS as f64)
-    };
-    let offset = |chart: Chart| boundary.foot(other, &face.point(solid, chart)).offset;
-    let at = |i: usize, j: usize| offset(chart(i as f64, j as f64));
+    let grid = Grid::new(boundary, face, other);
+    let signs = grid.signs();
     let mut starts = Vec::new();
-    let mut before: Vec<f64> = Vec::new();
+    let mut bisect = |from: [usize; 2], to: [usize; 2]| {
+        if !(grid.is_tangent(from) && grid.is_tangent(to)) {
+            starts.push(grid.crossing(from, to, signs[from[0]][from[1]]));
+        }
+    };
     for i in 0..=STEPS {
-        let row: Vec<f64> = (0..=STEPS).map(|j| at(i, j)).collect();
-        let mut bisect = |from: [f64; 2], to: [f64; 2], negative: bool| {
-            let (mut low, mut high) = (0.0, 1.0);
-            let between = |t: f64| {
-                chart(
-                    from[0] + (to[0] - from[0]) * t,
-                    from[1] + (to[1] - from[1]) * t,
-                )
-            };
-            for _ in 0..30 {
-                let middle = (low + high) / 2.0;
-                if (offset(between(middle)) < 0.0) == negative {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            starts.push(face.point(solid, between(low)));
-        };
-        let here = i as f64;
         for j in 0..=STEPS {
-            let (negative, column) = (row[j] < 0.0, j as f64);
-            if j < STEPS && negative != (row[j + 1] < 0.0) {
-                bisect([here, column], [here, column + 1.0], negative);
+            let here = signs[i][j];
+            if j < STEPS && here != signs[i][j + 1] {
+                bisect([i, j], [i, j + 1]);
             }
-            if i > 0 && negative != (before[j] < 0.0) {
-                bisect([here, column], [here - 1.0, column], negative);
+            if i > 0 && here != signs[i - 1][j] {
+                bisect([i, j], [i - 1, j]);
             }
         }
-        before = row;
     }
     starts
+}
+
+/// Steps of a grid along either coordinate of a face.
+const STEPS: usize = 48;
+
+/// Sine of the angle under which two faces count as tangent: their meeting has no direction.
+const TANGENT: f64 = 1e-5;
+
+/// A grid on one face, and how far its places are from the carrier of another.
+struct Grid<'a> {
+    boundary: &'a Boundary,
+    face: usize,
+    other: usize,
+    domain: Domain,
+    /// Length of a step along either coordinate, at most.
+    reach: Chart,
+}
+
+impl<'a> Grid<'a> {
+    fn new(boundary: &'a Boundary, face: usize, other: usize) -> Self {
+        let solid = &boundary.solids[boundary.faces[face].solid];
+        let domain = boundary.faces[face].domain(solid);
+        let step = |k: usize| (domain.high[k] - domain.low[k]) / STEPS as f64;
+        let pace = boundary.faces[face].widest_pace(solid);
+        Self {
+            boundary,
+            face,
+            other,
+            domain,
+            reach: [step(0), step(1) * pace],
+        }
+    }
+
+    fn point(&self, at: [f64; 2]) -> Point {
+        let Domain { low, high, .. } = self.domain;
+        let chart = [0, 1].map(|k| low[k] + (high[k] - low[k]) * at[k] / STEPS as f64);
+        let face = &self.boundary.faces[self.face];
+        face.point(&self.boundary.solids[face.solid], chart)
+    }
+
+    fn offset(&self, at: [f64; 2]) -> f64 {
+        self.boundary.foot(self.other, &self.point(at)).offset
+    }
+
+    /// Whether the offset is negative, at every place. A distance grows no faster than the way: a
+    /// block of places that is farther from the carrier than it is large has one sign throughout,
+    /// which is most of them.
+    fn signs(&self) -> Vec<[bool; STEPS + 1]> {
+        let mut signs = vec![[false; STEPS + 1]; STEPS + 1];
+        // Half-open ranges of places along either coordinate.
+        let mut open = vec![[[0, STEPS + 1], [0, STEPS + 1]]];
+        while let Some(block) = open.pop() {
+            let [rows, columns] = block;
+            let offset = self.offset(block.map(|[low, high]| (low + high - 1) as f64 / 2.0));
+            let half = |k: usize| (block[k][1] - 1 - block[k][0]) as f64 / 2.0 * self.reach[k];
+            let alone = rows[1] - rows[0] == 1 && columns[1] - columns[0] == 1;
+            // The margin is for the digits; a free-form foot may leap at the ends of its curve.
+            let measured = self.boundary.faces[self.other].surface.is_some();
+            if alone || measured && offset.abs() > 1.01 * (half(0) + half(1)) {
+                for row in &mut signs[rows[0]..rows[1]] {
+                    row[columns[0]..columns[1]].fill(offset < 0.0);
+                }
+                continue;
+            }
+            let halves = |[low, high]: [usize; 2]| {
+                let middle = low + (high - low).div_ceil(2);
+                let parts = [[low, middle], [middle, high]];
+                parts.into_iter().filter(|[low, high]| low < high)
+            };
+            open.extend(halves(rows).flat_map(|r| halves(columns).map(move |c| [r, c])));
+        }
+        signs
+    }
+
+    /// Whether the faces run along each other at a place.
+    fn is_tangent(&self, at: [usize; 2]) -> bool {
+        let point = self.point(at.map(|k| k as f64));
+        let [a, b] = [self.face, self.other].map(|f| self.boundary.foot(f, &point).gradient);
+        a.cross(&b).norm() < TANGENT
+    }
+
+    /// The place between two where the sign changes, by bisection.
+    fn crossing(&self, from: [usize; 2], to: [usize; 2], negative: bool) -> Point {
+        let [from, to] = [from, to].map(|at| at.map(|k| k as f64));
+        let between = |t: f64| [0, 1].map(|k| from[k] + (to[k] - from[k]) * t);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..30 {
+            let middle = (low + high) / 2.0;
+            if (self.offset(between(middle)) < 0.0) == negative {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        self.point(between(low))
+    }
 }
 
 /// Whether both faces, before other solids have their say, hold a point of their meeting.
@@ -222,7 +295,7 @@ fn follow(boundary: &Boundary, pair: [usize; 2], start: Point, step: f64) -> Opt
         let (mut point, mut heading) = (start, Vector::zeros());
         while points.len() < limit {
             let [a, b] = pair.map(|face| boundary.foot(face, &point).gradient);
-            let Some(tangent) = a.cross(&b).try_normalize(1e-5) else {
+            let Some(tangent) = a.cross(&b).try_normalize(TANGENT) else {
                 break;
             };
             // Past a saddle of the offsets the tangent may turn round.

@@ -170,6 +170,15 @@ impl Face {
         }
     }
 
+    /// The most that [`pace`](Self::pace) is anywhere on the face.
+    pub fn widest_pace(&self, placed: &Placed) -> f64 {
+        let (low, high) = placed.frame();
+        match self.kind {
+            Kind::Side(_) => placed.pace(&low).max(placed.pace(&high)),
+            Kind::Cap(_) => 1.0,
+        }
+    }
+
     pub fn domain(&self, placed: &Placed) -> Domain {
         match self.kind {
             Kind::Side(segment) => Domain {
