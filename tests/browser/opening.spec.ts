@@ -1,3 +1,5 @@
+import { join } from "node:path";
+import { drop, writeAll } from "./support/drop";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { scoreOfSample } from "./support/engine";
 import { contentOf, LEFT, RIGHT } from "./support/pixels";
@@ -146,4 +148,34 @@ test("the first screen says what this is and leads three ways on; the picture ca
   await page.setViewportSize({ width: 390, height: 740 });
   await page.locator(".panel").evaluate((panel) => panel.scrollIntoView());
   await expect.poll(async () => (await box.boundingBox())?.y ?? -1).toBe(0);
+});
+
+test("what was brought and fitted is there again after a reload, and gone once it is removed", async ({ page, context }) => {
+  await open(page);
+  const points = Array.from({ length: 900 }, (_, k) => `${(k % 30) / 10} ${Math.floor(k / 30) / 10} 0`).join("\n");
+  const folder = test.info().outputPath("scan");
+  await writeAll(folder, [{ path: "plate.xyz", text: points }]);
+  await drop(page, [join(folder, "plate.xyz")]);
+  await page.getByRole("tab", { name: "Fit" }).click();
+  await page.getByRole("button", { name: "Fit plate", exact: true }).click();
+  await expect(page.locator(".stage-title")).toContainText("HT");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(page.getByText(/Kept in this browser until you remove it: [1-9]/)).toBeVisible();
+
+  // Another tab beside it has no part in that.
+  const other = await context.newPage();
+  await open(other);
+  await expect(other.locator(".stage h2")).toHaveText("bracket");
+  await other.close();
+
+  await page.reload();
+  await expect(page.locator(".stage h2")).toHaveText("plate");
+  await expect(page.locator(".stage-title")).toContainText("HT");
+  await expect(page.locator(".notice")).toContainText("1 model of your last visit.");
+  await page.getByRole("button", { name: "Remove everything" }).first().click();
+  await expect(page.getByText("Drop a point cloud anywhere on the page.")).toBeVisible();
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(page.getByText("Kept in this browser until you remove it: 0")).toBeVisible();
+  await page.reload();
+  await expect(page.locator(".stage h2")).toHaveText("bracket");
 });

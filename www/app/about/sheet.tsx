@@ -54,7 +54,8 @@ export default function AboutSheet(): JSX.Element {
           What you open stays in this browser: nothing is uploaded, nothing is counted, and there are no cookies. The page
           uses the network for its own parts, and for public models or the zip of a link only when you ask for them or open
           that link. A link that you share holds figures, names and settings after the “#”, which browsers send to no server.
-          The browser keeps your choices (theme, protocol, layout) and the page itself, so that it works offline.
+          The browser keeps your choices (theme, protocol, layout), what you brought and made here until you remove it
+          (under Files, “Remove everything”), and the page itself, so that it works offline.
         </p>
       </section>
     </>

@@ -26,6 +26,19 @@ export const findings = computed<readonly Finding[]>(() => {
   return all.sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 });
 
+/** Findings that say the same of several places: one fault of a whole set is read once. Never empty. */
+export function grouped(list: readonly Finding[]): readonly (readonly [Finding, ...Finding[]])[] {
+  const groups = new Map<string, [Finding, ...Finding[]]>();
+  for (const finding of list) {
+    const { severity, message, expected, hint } = finding;
+    const key = JSON.stringify([severity, message, expected, hint]);
+    const group = groups.get(key);
+    if (group) group.push(finding);
+    else groups.set(key, [finding]);
+  }
+  return [...groups.values()];
+}
+
 const known = new WeakMap<ModelEntry, readonly Finding[]>();
 
 function findingsOf(entry: ModelEntry): readonly Finding[] {

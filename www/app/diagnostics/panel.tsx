@@ -6,10 +6,10 @@ import { engine } from "../engine/client";
 import type { Severity } from "../engine/contract";
 import { copy } from "../export/download";
 import { selectedModel, selectModel } from "../state/selection";
-import { plural } from "../ui/format";
+import { integer, plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { Marked } from "../ui/marked";
-import { findings, placeOf, type Finding } from "./findings";
+import { findings, grouped, placeOf, type Finding } from "./findings";
 
 const onlySelected = signal(false);
 
@@ -19,7 +19,9 @@ const SHOWN_AT_MOST = 500;
 export default function DiagnosticsPanel(): JSX.Element {
   const all = findings.value;
   const wanted = onlySelected.value ? all.filter(({ model }) => model === selectedModel.value) : all;
-  const shown = wanted.slice(0, SHOWN_AT_MOST);
+  const groups = grouped(wanted);
+  const shown = groups.slice(0, SHOWN_AT_MOST);
+  const more = groups.slice(SHOWN_AT_MOST).flat().length;
   return (
     <div class="diagnostics">
       <div class="panel-tools">
@@ -43,12 +45,12 @@ export default function DiagnosticsPanel(): JSX.Element {
         </p>
       ) : (
         <ul>
-          {shown.map((finding, i) => (
-            <Item key={i} finding={finding} />
+          {shown.map((group, i) => (
+            <Item key={i} group={group} />
           ))}
         </ul>
       )}
-      {wanted.length > shown.length && <p class="empty">… and {plural(wanted.length - shown.length, "more")}; “Copy all” has them.</p>}
+      {more > 0 && <p class="empty">… and {integer(more)} more; “Copy all” has them.</p>}
     </div>
   );
 }
@@ -60,8 +62,12 @@ function summary(list: readonly Finding[]): string {
     .join(", ");
 }
 
-function Item({ finding }: { finding: Finding }): JSX.Element {
-  const { severity, message, found, expected, hint, model } = finding;
+/** Places of one finding that are named; of more the number is. */
+const PLACES_AT_MOST = 8;
+
+function Item({ group }: { group: readonly [Finding, ...Finding[]] }): JSX.Element {
+  const { severity, message, found, expected, hint } = group[0];
+  const single = group.length === 1;
   return (
     <li data-severity={severity}>
       <span class={`mark ${severity}`}>
@@ -71,10 +77,11 @@ function Item({ finding }: { finding: Finding }): JSX.Element {
       <div>
         <p class="message">
           <Marked text={message} />
+          {!single && <small> at {group.length} places</small>}
         </p>
-        {(found || expected) && (
+        {((single && found) || expected) && (
           <p class="details">
-            <Marked text={[found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean).join(", ")} />
+            <Marked text={[single && found && `found ${found}`, expected && `expected ${expected}`].filter(Boolean).join(", ")} />
           </p>
         )}
         {hint && (
@@ -82,19 +89,29 @@ function Item({ finding }: { finding: Finding }): JSX.Element {
             <Marked text={hint} />
           </p>
         )}
-        <p class="place">
-          {model !== undefined && (
-            <button type="button" class="link" onClick={() => selectModel(model)}>
-              {model}
-            </button>
-          )}
-          <code>{placeOf(finding)}</code>
-        </p>
+        {group.slice(0, PLACES_AT_MOST).map((finding, place) => (
+          <Place key={place} finding={finding} />
+        ))}
+        {group.length > PLACES_AT_MOST && <p class="place">… and {integer(group.length - PLACES_AT_MOST)} more</p>}
       </div>
-      <button type="button" class="icon" aria-label="Copy this finding" onClick={() => void copyAll([finding])}>
+      <button type="button" class="icon" aria-label="Copy this finding" onClick={() => void copyAll(group)}>
         <Icon name="copy" />
       </button>
     </li>
+  );
+}
+
+function Place({ finding }: { finding: Finding }): JSX.Element {
+  const { model } = finding;
+  return (
+    <p class="place">
+      {model !== undefined && (
+        <button type="button" class="link" onClick={() => selectModel(model)}>
+          {model}
+        </button>
+      )}
+      <code>{placeOf(finding)}</code>
+    </p>
   );
 }
 

@@ -6,6 +6,7 @@ import { ROLES } from "../../generated/declared/roles.js";
 import type { Override, Role } from "../engine/contract";
 import { clear, remove } from "../state/contents";
 import { brought, ignored, override, overrides, unplaced } from "../state/inbox";
+import { keeping } from "../state/kept";
 import { modelById } from "../state/models";
 import { selectedModel } from "../state/selection";
 import * as format from "../ui/format";
@@ -59,6 +60,7 @@ export default function FilesPanel(): JSX.Element {
         <p>
           {unplaced.value.length > 0 ? `${format.plural(unplaced.value.length, "file")} not placed` : "Every file belongs to a model"}
           {ignored.value > 0 && `, ${format.plural(ignored.value, "litter file")} ignored`}
+          <Kept />
         </p>
         {entry && (
           <button type="button" onClick={() => remove(entry.id)}>
@@ -96,6 +98,14 @@ export default function FilesPanel(): JSX.Element {
       {more > 0 && <p class="empty">… and {format.plural(more, "file")} more that belong to no model.</p>}
     </div>
   );
+}
+
+/** Whether all this is there again after the page is left. */
+function Kept(): JSX.Element | null {
+  const state = keeping.value;
+  if (state.kind === "off") return null;
+  const words = state.kind === "refused" ? state.why : `Kept in this browser until you remove it: ${format.bytes(state.bytes)}.`;
+  return <small class="kept">{words}</small>;
 }
 
 function Row({ row }: { row: FileRow }): JSX.Element {
