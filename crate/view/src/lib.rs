@@ -15,6 +15,7 @@ pub mod camera;
 pub mod cloud;
 pub mod colouring;
 pub mod controls;
+pub mod cut;
 pub mod draw;
 pub mod lasso;
 pub mod layout;

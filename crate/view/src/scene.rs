@@ -7,6 +7,7 @@ use tsify::Tsify;
 use crate::camera::{Camera, Lens};
 use crate::cloud::{Bounds, Cloud};
 use crate::colouring::{Colouring, Revised};
+use crate::cut::{self, Cut};
 use crate::layout::{Layout, Pane, Panes, Side};
 use crate::patch::SurfacePatch;
 use crate::sight::{PointScale, Sight};
@@ -34,6 +35,8 @@ pub struct Display {
     pub ink: Vec3,
     /// Whether the directions of the axes are shown in a corner.
     pub gizmo: bool,
+    /// A plane that cuts the cloud open.
+    pub cut: Option<Cut>,
 }
 
 impl Default for Display {
@@ -44,6 +47,7 @@ impl Default for Display {
             background: Vec3::ONE,
             ink: Vec3::ZERO,
             gizmo: true,
+            cut: None,
         }
     }
 }
@@ -159,7 +163,14 @@ impl Scene {
             lens: self.lens(pane),
             scale: self.point_scale(frame, drawn.min(total)),
             count: drawn.min(total),
+            cut: self.cut_plane(),
         }
+    }
+
+    /// The plane beyond which nothing is seen; [`cut::NONE`] where all is.
+    pub fn cut_plane(&self) -> Vec4 {
+        let bounds = self.cloud.get().bounds();
+        self.display.cut.map_or(cut::NONE, |cut| cut.plane(bounds))
     }
 
     /// The camera that frames the whole cloud in a picture.

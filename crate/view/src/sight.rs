@@ -1,5 +1,7 @@
 //! How the points of a pane are seen.
 
+use glam::Vec4;
+
 use crate::camera::Lens;
 use crate::layout::Pane;
 
@@ -25,4 +27,6 @@ pub struct Sight {
     pub scale: PointScale,
     /// How many points are drawn, from the start of the shuffled order.
     pub count: usize,
+    /// The plane beyond which points are hidden, as [`hides`](crate::cut::hides) reads it.
+    pub cut: Vec4,
 }

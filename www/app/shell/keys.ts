@@ -9,6 +9,7 @@ import { stopRebuilding } from "../sharing/rebuild";
 import { sharing } from "../sharing/share";
 import { currentView, picturing } from "../stage/current";
 import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
+import { cutAcross } from "../stage/display";
 import { takeTapeBack, toggleMeasuring } from "../stage/tape";
 import { cancelFitting } from "../state/fitting";
 import { modelById, models } from "../state/models";
@@ -39,7 +40,8 @@ function nextMethod(): void {
 function leave(): void {
   if (takeTapeBack()) return;
   if (selectedPrimitive.value) selectedPrimitive.value = undefined;
-  else alone.value = false;
+  else if (alone.value) alone.value = false;
+  else cutAcross.value = "none";
 }
 
 function stopWork(): void {
@@ -71,7 +73,7 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "i", shown: "I", what: "Isolate it", run: toggleIsolated },
       { key: "h", shown: "H", what: "Hide it", run: hideSelected },
       { key: "a", shown: "A", what: "Show all again", run: showAll },
-      { key: "Escape", shown: "Esc", what: "Take back the last point measured, the selection, the picture alone", run: leave },
+      { key: "Escape", shown: "Esc", what: "Take back the last point measured, the selection, the picture alone, the cut", run: leave },
     ],
   },
   {

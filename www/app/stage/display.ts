@@ -4,7 +4,7 @@ import { computed, signal } from "@preact/signals";
 import { scene } from "../state/scene";
 import { leftShows, rightIsTruth, type Side } from "../state/selection";
 import { remembered } from "../state/settings";
-import type { Layout } from "../view/types";
+import type { Cut, Layout } from "../view/types";
 import { COLOUR_MODES, segmentationOf, type ColourMode } from "./colouring";
 
 export const ARRANGEMENTS = [
@@ -61,3 +61,21 @@ export const unsegmentedShown = remembered("unsegmented", "on", ["on", "off"] as
 export const projection = remembered("projection", "perspective", ["perspective", "orthographic"] as const);
 /** Diameter of a point over the typical distance of neighbours. */
 export const pointSize = signal(1.6);
+
+/** What the cloud is cut open across, and where. */
+export const CUTS = [
+  { id: "none", title: "nothing" },
+  { id: "x", title: "x" },
+  { id: "y", title: "y" },
+  { id: "z", title: "z" },
+] as const;
+
+export const cutAcross = signal<(typeof CUTS)[number]["id"]>("none");
+export const cutAt = signal(0.5);
+export const cutBelow = signal(false);
+
+export const cut = computed<Cut | undefined>(() =>
+  cutAcross.value === "none"
+    ? undefined
+    : { axis: CUTS.findIndex(({ id }) => id === cutAcross.value) - 1, share: cutAt.value, below: cutBelow.value },
+);

@@ -13,7 +13,7 @@ import { hidden, isolated } from "./isolation";
 import { linkOutcomes, outcomes } from "./outcomes";
 import { linkSurfaces } from "./surfaces";
 import { awaitedCamera, restingCamera } from "./camera";
-import { colourMode, eyeDome, pointSize, projection, sides, unsegmentedShown } from "./display";
+import { colourMode, cut, eyeDome, pointSize, projection, sides, unsegmentedShown } from "./display";
 import { reports } from "./reports";
 
 const SIDES = [0, 1] as const satisfies Side[];
@@ -34,6 +34,7 @@ export function link(view: PointView): () => void {
     effect(() => view.setEyeDome(eyeDome.value === "on" ? 1 : 0)),
     effect(() => view.setPointSize({ unit: "spacing", value: pointSize.value })),
     effect(() => view.setProjection(projection.value)),
+    effect(() => view.setCut(cut.value)),
     effect(() => {
       const state = scene.value;
       if (state.kind !== "ready") return;

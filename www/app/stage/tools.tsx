@@ -14,6 +14,10 @@ import {
   arrangement,
   ARRANGEMENTS,
   colourMode,
+  cutAcross,
+  cutAt,
+  cutBelow,
+  CUTS,
   eyeDome,
   pointSize,
   projection,
@@ -86,6 +90,28 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
           <Toggle on={eyeDome} yes="on" no="off" label="Depth shading" />
           <Toggle on={surfaces} yes="on" no="off" label="Fitted surface" />
           <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
+          <label>
+            Cut open across
+            <select value={cutAcross.value} onChange={(event) => (cutAcross.value = event.currentTarget.value as typeof cutAcross.value)}>
+              {CUTS.map(({ id, title }) => (
+                <option key={id} value={id}>
+                  {title}
+                </option>
+              ))}
+            </select>
+          </label>
+          {cutAcross.value !== "none" && (
+            <>
+              <label class="size">
+                Place of the cut
+                <input type="range" min={0} max={1} step={0.005} value={cutAt.value} onInput={(event) => (cutAt.value = event.currentTarget.valueAsNumber)} />
+              </label>
+              <label class="check">
+                <input type="checkbox" checked={cutBelow.value} onChange={(event) => (cutBelow.value = event.currentTarget.checked)} />
+                Show what lies above it
+              </label>
+            </>
+          )}
         </div>
       </Popover>
     </div>

@@ -6,6 +6,7 @@ import { bytes, rgb, SEQUENTIAL } from "./palette";
 import { PickQueue } from "./pick-queue";
 import {
   type CameraState,
+  type Cut,
   type Hit,
   type LabelState,
   type Layout,
@@ -204,6 +205,11 @@ export class PointView {
   /** Shows or hides the directions of x, y and z in the corner. */
   setGizmo(shown: boolean): void {
     this.change((view) => view.set_gizmo(shown));
+  }
+
+  /** Hides what lies above a plane across an axis, or below it; its place is 0 at the cloud's least coordinate, 1 at its greatest. */
+  setCut(cut: Cut | undefined): void {
+    this.change((view) => (cut ? view.set_cut(cut.axis, cut.share, cut.below) : view.clear_cut()));
   }
 
   setTheme(theme: Theme): void {

@@ -17,6 +17,14 @@ export const STANDPOINTS: readonly { readonly standpoint: Standpoint; readonly n
   Standpoint.Isometric,
 ].map((standpoint) => ({ standpoint, name: Standpoint[standpoint].toLowerCase() }));
 
+/** A plane that cuts the cloud open, across the axis 0, 1 or 2. */
+export interface Cut {
+  readonly axis: number;
+  /** From 0 at the least coordinate to 1 at the greatest. */
+  readonly share: number;
+  readonly below: boolean;
+}
+
 /** Background, and the colour of what must stand out from it; `#rrggbb`. */
 export interface Theme {
   readonly background: string;

@@ -5,6 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use super::View;
 use super::plain::{Hit, Picked};
+use crate::cut::hides;
 use crate::draw::gl::GlError;
 use crate::draw::picking::{PickState, visible_in};
 use crate::draw::renderer::Renderer;
@@ -200,6 +201,10 @@ impl View {
                 .select(cloud.positions(), &sight.lens.view_projection, size)
                 .into_iter()
                 .filter(|&place| {
+                    let point = cloud.positions().get(place as usize);
+                    if point.is_none_or(|point| hides(&sight.cut, point)) {
+                        return false;
+                    }
                     let label = labels.get(place as usize).copied().unwrap_or(0);
                     colouring.state(label).can_be_picked()
                 })

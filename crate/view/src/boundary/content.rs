@@ -7,6 +7,7 @@ use super::View;
 use super::crossing::{GivenLayout, GivenPatch, GivenPointSize};
 use super::plain::SurfacePatch;
 use crate::colouring::ColourBy;
+use crate::cut::Cut;
 use crate::layout::{Layout, Side};
 use crate::patch as scene;
 use crate::scene::PointSize;
@@ -124,6 +125,17 @@ impl View {
     /// Sets the strength of eye-dome lighting, 0 off, 1 usual.
     pub fn set_eye_dome(&mut self, strength: f32) {
         self.scene.display.eye_dome = strength.clamp(0.0, 10.0);
+    }
+
+    /// Hides what lies above a plane across an axis (0, 1, 2), or below it; its place is 0 at the
+    /// cloud's least coordinate, 1 at its greatest.
+    pub fn set_cut(&mut self, axis: usize, share: f32, below: bool) {
+        self.scene.display.cut = Some(Cut { axis, share, below });
+    }
+
+    /// Shows all again.
+    pub fn clear_cut(&mut self) {
+        self.scene.display.cut = None;
     }
 
     /// Shows or hides the directions of the axes in the corner.

@@ -1,6 +1,6 @@
 //! Draws patches of fitted surfaces: translucent meshes with their rims, axes, radii and apexes.
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 use crate::camera::Lens;
 use crate::draw::gl::{Buffer, Gl, GlError, Program, VertexArray};
@@ -18,8 +18,10 @@ uniform vec3 towards;   // to the viewer where all rays are parallel, else 0
 uniform float lift;
 out vec3 outer;
 out vec3 ray;
+out vec3 place;
 
 void main() {
+    place = position;
     ray = towards == vec3(0.0) ? normalize(eye - position) : towards;
     outer = normal;
     // Lifted off its own points, which it would otherwise cover in speckles.
@@ -30,12 +32,15 @@ void main() {
 const FRAGMENT: &str = "
 in vec3 outer;
 in vec3 ray;
+in vec3 place;
+uniform vec4 cut;       // what lies beyond this plane is hidden
 uniform vec3 colour;
 uniform float opacity;
 uniform float facing;   // 1 draws what faces the viewer, -1 the rest
 out vec4 fragment;
 
 void main() {
+    if (dot(cut.xyz, place) > cut.w) discard;
     float slant = dot(normalize(outer), normalize(ray));
     if (slant * facing < 0.0) discard;
     float sheen = pow(abs(slant), 24.0) * 0.35;
@@ -45,7 +50,8 @@ void main() {
 }
 ";
 
-const UNIFORMS: [&str; 7] = [
+const UNIFORMS: [&str; 8] = [
+    "cut",
     "view_projection",
     "eye",
     "towards",
@@ -168,6 +174,7 @@ impl Patches {
         lines: &Lines,
         side: Side,
         lens: &Lens,
+        cut: &Vec4,
         (viewport, pixel_ratio, lift): (Vec2, f32, f32),
     ) {
         if self.pieces.is_empty() {
@@ -182,6 +189,7 @@ impl Patches {
         let towards = (!lens.perspective).then_some(lens.rotation * Vec3::Z);
         program.set_vec3(gl, "towards", towards.unwrap_or(Vec3::ZERO));
         program.set_f32(gl, "lift", lift);
+        program.set_vec4(gl, "cut", *cut);
         program.set_f32(gl, "opacity", OPACITY);
         self.array.bind(gl);
         let eye = lens.eye;

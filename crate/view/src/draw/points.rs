@@ -22,6 +22,7 @@ uniform vec2 range;
 uniform vec3 background;
 uniform sampler2D label_table;
 uniform sampler2D colour_map;
+uniform vec4 cut;               // what lies beyond this plane is hidden
 flat out vec4 colour;
 #ifdef TILTED
 uniform vec3 right, up, back;   // the camera's axes
@@ -33,7 +34,7 @@ void main() {
     uint row = min(label, MAX_LABEL);
     vec4 entry = texelFetch(label_table, ivec2(int(row & 1023u), int(row >> 10)), 0);
     int state = int(entry.a * 255.0 + 0.5);
-    if (state < LEAST_STATE) {
+    if (state < LEAST_STATE || dot(cut.xyz, position) > cut.w) {
         // Outside the clip volume: costs no fragment.
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         gl_PointSize = 1.0;
@@ -103,7 +104,8 @@ void main() {
 }
 ";
 
-const UNIFORMS: [&str; 13] = [
+const UNIFORMS: [&str; 14] = [
+    "cut",
     "eye",
     "view_projection",
     "scale",
@@ -274,6 +276,7 @@ impl Points {
             lens,
             scale,
             count,
+            cut,
         } = sight;
         let count = i32::try_from(*count.min(&self.count)).unwrap_or(i32::MAX);
         let Some(side) = self.sides.get(pane.side.index()) else {
@@ -290,6 +293,7 @@ impl Points {
         program.set_mat4(gl, "view_projection", &lens.view_projection);
         program.set_f32(gl, "scale", lens.scale);
         program.set_f32(gl, "diameter", scale.diameter);
+        program.set_vec4(gl, "cut", *cut);
         program.set_vec2(gl, "pixels", Vec2::new(scale.least, scale.greatest));
         side.palette.bind(gl);
         side.array.bind(gl);

@@ -210,6 +210,7 @@ impl Renderer {
             outline: display.ink,
             outline_width: OUTLINE_WIDTH * frame.pixel_ratio,
         };
+        let cut = scene.cut_plane();
         for pane in scene.panes(frame).iter() {
             let visible = shot.enter(gl, pane);
             gl.viewport(0, 0, tile.width, tile.height);
@@ -219,7 +220,8 @@ impl Renderer {
             let viewport = Vec2::new(pane.viewport.width as f32, pane.viewport.height as f32);
             let lift = scene.cloud.get().spacing();
             let style = (viewport, frame.pixel_ratio, lift);
-            self.patches.draw(gl, &self.lines, pane.side, &lens, style);
+            self.patches
+                .draw(gl, &self.lines, pane.side, &lens, &cut, style);
         }
         gl.disable(Gl::SCISSOR_TEST);
         if display.gizmo {
