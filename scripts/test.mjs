@@ -6,6 +6,7 @@ import { buildPage, buildWasm } from "./build.mjs";
 import { fuzzQuickly } from "./fuzz.mjs";
 import { denyCrates } from "./lib/deny.mjs";
 import { ROOT, WASM_TARGET, npmCommand } from "./lib/paths.mjs";
+import { testPython } from "./lib/python.mjs";
 import { Plain, main, run, runNode } from "./lib/run.mjs";
 import { circles, tell } from "./lib/rust-modules.mjs";
 import { runSteps, summarise } from "./lib/steps.mjs";
@@ -13,7 +14,7 @@ import { setup } from "./setup.mjs";
 
 const CLIPPY = ["clippy", "--locked", "--quiet"];
 const DENY = ["--", "-D", "warnings"];
-const ROOTS = ["fit4cad", "engine", "scorer", "step", "view", "fuzz", "cad"].map((name) => `crate/${name}/src/lib.rs`);
+const ROOTS = ["fit4cad", "engine", "scorer", "step", "view", "fuzz", "cad", "python"].map((name) => `crate/${name}/src/lib.rs`);
 const BOUNDARIES = ["--package", "fit4cad-engine", "--package", "fit4cad-view"];
 
 /** @type {import("./lib/steps.mjs").Step[]} */
@@ -79,6 +80,12 @@ const STEPS = [
     run: denyCrates,
   },
   {
+    // What is packed is not built again: `cargo publish --dry-run --package fit4cad` does that too.
+    name: "crate, packed",
+    lane: "rust",
+    run: () => run("cargo", ["package", "--locked", "--quiet", "--no-verify", "--allow-dirty", "--package", "fit4cad"]),
+  },
+  {
     name: "Rust tests, native",
     lane: "rust",
     runner: "cargo",
@@ -122,6 +129,13 @@ const STEPS = [
         ["--test", "--test-reporter", "spec", ...testFiles("tests/declared", ".test.mjs")],
         { capture: true },
       ),
+  },
+  {
+    name: "Python",
+    lane: "rust",
+    runner: "pytest",
+    needs: ["wasm build"],
+    run: testPython,
   },
   {
     name: "fuzzing, a minute",

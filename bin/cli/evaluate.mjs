@@ -1,8 +1,9 @@
 // From a list of files to reports, one model at a time.
 
 import { createHash } from "node:crypto";
+import { shareOut } from "./jobs.mjs";
 import { unusable } from "./inputs.mjs";
-import { eachModel, isOfTruth } from "./models.mjs";
+import { eachModel, isOfTruth, unplacedAmong } from "./models.mjs";
 
 /** @typedef {import("./engine.mjs").Engine} Engine */
 /** @typedef {import("./inputs.mjs").File} File */
@@ -20,7 +21,48 @@ import { eachModel, isOfTruth } from "./models.mjs";
  *   known better about a file than its name tells
  * @property {boolean} [self] scores the truth against itself instead of each submission
  * @property {(text: string) => void} [progress]
+ * @property {(index: number) => boolean} [claim] which models are done here
  */
+
+/**
+ * The same as it can be said to another thread: by a protocol of the benchmark, or what the field reports.
+ * @typedef {{ by: { protocol: Protocol } | { scale: import("../engine/engine.js").FigureScale }, overrides: Record<string, import("../engine/engine.js").Override>, self: boolean }} Asked
+ */
+
+/**
+ * What became of the model at a place: reports with the engine's version and files, and what is to be told.
+ * @template R
+ * @typedef {{ index: number, results: (R & { engine: string, files: HashedFile[] })[], diagnostics: Diagnostic[] }} Evaluated
+ */
+
+/** @typedef {ReturnType<ReturnType<typeof scoredBy>>} Score */
+/** @typedef {import("../engine/engine.js").FieldReport} FieldReport */
+
+/**
+ * @param {Asked["by"]} by
+ * @returns {(model: Model, method: string | undefined) => Score | FieldReport}
+ */
+export function reportOf(by) {
+  return "scale" in by ? (model, method) => model.field(method, by.scale) : scoredBy(by.protocol);
+}
+
+/**
+ * Reports on every submission by so many threads, as `evaluate` does by one.
+ * @template {Score | FieldReport} R of what is asked by
+ * @param {Engine} engine
+ * @param {{ files: readonly File[] }} inputs
+ * @param {Asked & { jobs: number, paths: readonly string[], progress: (text: string) => void }} how
+ */
+export async function evaluateBy(engine, { files }, { jobs, paths, progress, ...request }) {
+  if (jobs <= 1) {
+    const report = /** @type {(model: Model, method: string | undefined) => R} */ (reportOf(request.by));
+    return evaluate(engine, files, { ...request, progress, report });
+  }
+  const answers = await shareOut({ task: "score", request }, { jobs, paths, files: files.length, progress });
+  const shares = /** @type {{ models: Evaluated<R>[], stops: import("./models.mjs").Stop[] }[]} */ (answers);
+  const all = { models: shares.flatMap(({ models }) => models), stops: shares.flatMap(({ stops }) => stops) };
+  return together(all, unplacedAmong(engine, files, request.overrides), engine);
+}
 
 /**
  * What is asked of a model for a score.
@@ -42,31 +84,52 @@ export function scoredBy(protocol) {
  * @param {readonly File[]} files
  * @param {Request<R>} request
  */
-export async function evaluate(engine, files, { report, overrides = {}, self = false, progress = () => {} }) {
-  /** @type {(R & { engine: string, files: HashedFile[] })[]} */
-  const results = [];
-  /** @type {Diagnostic[]} */
-  const found = [];
+export async function evaluate(engine, files, request) {
+  const { models, stops, unplaced, engine: able } = await evaluateEach(engine, files, request);
+  return together({ models, stops }, unplaced, able);
+}
+
+/**
+ * @template R
+ * @param {{ models: Evaluated<R>[], stops: import("./models.mjs").Stop[] }} all in any order
+ * @param {Diagnostic[]} unplaced
+ * @param {Engine} engine
+ */
+function together({ models, stops }, unplaced, engine) {
+  models.sort((a, b) => a.index - b.index);
+  stops.sort((a, b) => a.index - b.index);
+  const told = [...unplaced, ...stops.map(({ diagnostic }) => diagnostic)];
+  return { results: models.flatMap(({ results }) => results), diagnostics: [...told, ...models.flatMap(({ diagnostics }) => diagnostics)], engine };
+}
+
+/**
+ * The same, model by model.
+ * @template {{ method: string }} R
+ * @param {Engine} engine
+ * @param {readonly File[]} files
+ * @param {Request<R>} request
+ */
+export async function evaluateEach(engine, files, { report, overrides = {}, self = false, progress = () => {}, claim = () => true }) {
+  /** @type {Evaluated<R>[]} */
+  const models = [];
   const version = engine.version();
   /** By path, of the files that were read. @type {Map<string, string>} */
   const hashes = new Map();
   const hashing = files.map((file) => ({ ...file, read: () => hashed(file, hashes) }));
   const wanted = self ? isOfTruth : () => true;
-  const read = await eachModel(engine, hashing, { wanted, overrides, progress }, (model, inputs) => {
+  const read = await eachModel(engine, hashing, { wanted, overrides, progress, claim }, (model, inputs, _place, _able, index) => {
     const { reports, diagnostics } = scoreModel(model, { report, self });
     const known = inputs.filter(({ path }) => hashes.has(path));
     const listed = known.map(({ path, role, method }) => listedFile({ path, role, method }, hashes));
-    results.push(
-      ...reports.map((each) => ({
-        ...each,
-        engine: version,
-        files: listed.filter(({ method }) => method === undefined || method === each.method),
-      })),
-    );
-    found.push(...diagnostics);
+    const results = reports.map((each) => ({
+      ...each,
+      engine: version,
+      files: listed.filter(({ method }) => method === undefined || method === each.method),
+    }));
+    models.push({ index, results, diagnostics });
     hashes.clear();
   });
-  return { results, diagnostics: [...read.diagnostics, ...found], engine: read.engine };
+  return { models, ...read };
 }
 
 /**

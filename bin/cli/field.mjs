@@ -8,7 +8,7 @@ import { STRATA } from "../../www/shared/formats/field-sums.mjs";
 import { fieldJson, fieldSheets } from "../../www/shared/formats/field.mjs";
 import { SHEET_FORMATS } from "../../www/shared/formats/sheet.mjs";
 import { tell } from "./diagnostics.mjs";
-import { evaluate } from "./evaluate.mjs";
+import { evaluateBy } from "./evaluate.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, number } from "./usage.mjs";
 
@@ -88,13 +88,13 @@ function named(option, list, allowed) {
  * Scores and prints; gives the exit code.
  * @param {import("./engine.mjs").Engine} engine
  * @param {{ files: readonly import("./inputs.mjs").File[], diagnostics: readonly import("./inputs.mjs").Diagnostic[] }} inputs
- * @param {{ overrides: Record<string, import("../engine/engine.js").Override>, self: boolean, progress: (text: string) => void, field: NonNullable<ReturnType<typeof fieldOf>>, format: keyof typeof SHEET_FORMATS | "json" }} how
+ * @param {{ overrides: Record<string, import("../engine/engine.js").Override>, self: boolean, jobs: number, paths: readonly string[], progress: (text: string) => void, field: NonNullable<ReturnType<typeof fieldOf>>, format: keyof typeof SHEET_FORMATS | "json" }} how
  */
 export async function scoreField(engine, inputs, { field, format, ...how }) {
   const { figures, scale, by } = field;
-  const { results, diagnostics, engine: able } = await evaluate(engine, inputs.files, {
+  const { results, diagnostics, engine: able } = await /** @type {typeof evaluateBy<import("./evaluate.mjs").FieldReport>} */ (evaluateBy)(engine, inputs, {
     ...how,
-    report: (model, method) => model.field(method, scale),
+    by: { scale },
   });
   progress.clear();
   const problems = [...inputs.diagnostics, ...diagnostics];

@@ -1,19 +1,18 @@
 // `fit4cad fit`.
 
-import { join } from "node:path";
 import { SURFACE_TYPES } from "../../www/generated/declared/surface-types.js";
 import { align } from "../../www/shared/formats/align.mjs";
-import { SEGMENTATION } from "../../www/shared/roles.mjs";
 import { tell } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
-import { fitAll } from "./fitting.mjs";
+import { fitBy } from "./fitting.mjs";
 import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect } from "./inputs.mjs";
+import { JOBS_OPTIONS, jobsOf } from "./jobs.mjs";
 import { METHODS, givenParameters, parameterOptions } from "./parameters.mjs";
 import { recognise } from "./single.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, number, readArguments } from "./usage.mjs";
-import { makeFolder, writeWhole } from "./write.mjs";
+import { makeFolder } from "./write.mjs";
 
 const OPTIONS = /** @type {const} */ ({
   method: { type: "string" },
@@ -21,6 +20,7 @@ const OPTIONS = /** @type {const} */ ({
   ...FORMAT_OPTIONS,
   seed: { type: "string", default: "1" },
   single: { type: "boolean", default: false },
+  ...JOBS_OPTIONS,
 });
 
 /**
@@ -45,6 +45,7 @@ export async function fit(args) {
   const format = formatOf(values, ["table", "json"]);
   const seed = number("seed", values.seed, { least: 0, most: 2 ** 32 - 1, whole: true });
   const parameters = givenParameters(options, method, given);
+  const jobs = jobsOf(values);
   if (positionals.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
   }
@@ -56,9 +57,8 @@ export async function fit(args) {
 
   progress.show("looking for files");
   const inputs = collect(positionals);
-  const { models, diagnostics, engine: able } = await fitAll(engine, inputs.files, {
-    ...{ method, parameters, seed },
-    take: (of, model, name, texts) => out !== undefined && write(of, out, model, name, texts),
+  const { models, diagnostics, engine: able } = await fitBy(engine, inputs, {
+    ...{ method, parameters, seed, out, jobs, paths: positionals },
     progress: (text) => progress.show(`fitting ${text}`),
   });
   progress.clear();
@@ -88,24 +88,13 @@ function single(engine, values, paths) {
   if (values.method !== undefined) {
     throw new UsageError("--single takes no method: it tries every type of surface");
   }
+  if (values.jobs !== undefined) {
+    throw new UsageError("--single takes no --jobs: it is quick");
+  }
   if (paths.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
   }
   return recognise(engine, paths, { out: values.out, json: formatOf(values, ["table", "json"]) === "json" });
-}
-
-/**
- * Writes a submission's files below `out`, in the layout of the public test set.
- * @param {import("./engine.mjs").Engine} engine
- * @param {string} out
- * @param {string} model
- * @param {string} method
- * @param {import("../engine/engine.js").Texts} texts
- */
-function write(engine, out, model, method, texts) {
-  for (const role of SEGMENTATION) {
-    writeWhole(join(out, engine.pathOf("test-set", model, role, method)), texts[role]);
-  }
 }
 
 /** @param {readonly import("./fitting.mjs").Fitted[]} models */

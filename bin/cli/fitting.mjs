@@ -1,7 +1,10 @@
 // From a list of files to fitted models, one cloud at a time.
 
-import { eachModel } from "./models.mjs";
-import { problemOf } from "./write.mjs";
+import { join } from "node:path";
+import { SEGMENTATION } from "../../www/shared/roles.mjs";
+import { shareOut } from "./jobs.mjs";
+import { eachModel, unplacedAmong } from "./models.mjs";
+import { problemOf, writeWhole } from "./write.mjs";
 
 /** @typedef {import("./engine.mjs").Engine} Engine */
 /** @typedef {import("./inputs.mjs").File} File */
@@ -41,26 +44,86 @@ import { problemOf } from "./write.mjs";
  * @param {readonly File[]} files
  * @param {Settings & { take: (engine: Engine, model: string, method: string, texts: Texts) => void, progress?: (text: string) => void }} how
  */
-export async function fitAll(engine, files, { take, progress = () => {}, ...settings }) {
-  /** @type {Fitted[]} */
+export async function fitAll(engine, files, how) {
+  const { models, stops, unplaced, engine: able } = await fitEach(engine, files, how);
+  return together({ models, stops }, unplaced, able);
+}
+
+/**
+ * Fits every cloud by so many threads, as `fitAll` does by one, and writes what was found below `out`.
+ * @param {Engine} engine
+ * @param {{ files: readonly File[] }} inputs
+ * @param {Settings & { out: string | undefined, jobs: number, paths: readonly string[], progress: (text: string) => void }} how
+ */
+export async function fitBy(engine, { files }, { jobs, paths, progress, ...request }) {
+  if (jobs <= 1) {
+    const { out, ...settings } = request;
+    return fitAll(engine, files, {
+      ...settings,
+      progress,
+      take: (able, model, method, texts) => out !== undefined && writeSubmission(able, out, model, method, texts),
+    });
+  }
+  const answers = await shareOut({ task: "fit", request }, { jobs, paths, files: files.length, progress });
+  const shares = /** @type {{ models: FittedAt[], stops: import("./models.mjs").Stop[] }[]} */ (answers);
+  const all = { models: shares.flatMap(({ models }) => models), stops: shares.flatMap(({ stops }) => stops) };
+  return together(all, unplacedAmong(engine, files), engine);
+}
+
+/** What became of the model at a place. @typedef {{ index: number, fitted?: Fitted, diagnostics: Diagnostic[] }} FittedAt */
+
+/**
+ * @param {{ models: FittedAt[], stops: import("./models.mjs").Stop[] }} all in any order
+ * @param {Diagnostic[]} unplaced
+ * @param {Engine} engine
+ */
+function together({ models, stops }, unplaced, engine) {
+  models.sort((a, b) => a.index - b.index);
+  stops.sort((a, b) => a.index - b.index);
+  const told = [...unplaced, ...stops.map(({ diagnostic }) => diagnostic)];
+  return { models: models.flatMap(({ fitted }) => fitted ?? []), diagnostics: [...told, ...models.flatMap(({ diagnostics }) => diagnostics)], engine };
+}
+
+/**
+ * The same, model by model.
+ * @param {Engine} engine
+ * @param {readonly File[]} files
+ * @param {Settings & { take: (engine: Engine, model: string, method: string, texts: Texts) => void, progress?: (text: string) => void, claim?: (index: number) => boolean }} how
+ */
+export async function fitEach(engine, files, { take, progress = () => {}, claim = () => true, ...settings }) {
+  /** @type {FittedAt[]} */
   const models = [];
-  /** @type {Diagnostic[]} */
-  const found = [];
-  const read = await eachModel(engine, files, { wanted: isCloud, progress }, (model, _, place, able) => {
+  const read = await eachModel(engine, files, { wanted: isCloud, progress, claim }, (model, _, place, able, index) => {
     const info = model.info();
-    found.push(...info.diagnostics);
+    const { diagnostics } = info;
     if (info.points === 0) {
+      models.push({ index, diagnostics });
       return;
     }
     const heard = throttled((stage, share) => progress(`${place}, ${stage} ${Math.round(100 * share)} %`));
     const { name, seconds } = fitModel(model, settings, heard);
     const error = problemOf(() => take(able, info.name, name, model.write(name)));
-    models.push({
+    const fitted = {
       ...{ model: info.name, points: info.points, seconds, primitives: listed(model, name), types: model.types(name) },
       ...(error === undefined ? {} : { error }),
-    });
+    };
+    models.push({ index, fitted, diagnostics });
   });
-  return { models, diagnostics: [...read.diagnostics, ...found], engine: read.engine };
+  return { models, ...read };
+}
+
+/**
+ * Writes a submission's files below `out`, in the layout of the public test set.
+ * @param {Engine} engine
+ * @param {string} out
+ * @param {string} model
+ * @param {string} method
+ * @param {Texts} texts
+ */
+export function writeSubmission(engine, out, model, method, texts) {
+  for (const role of SEGMENTATION) {
+    writeWhole(join(out, engine.pathOf("test-set", model, role, method)), texts[role]);
+  }
 }
 
 /** @param {import("../engine/engine.js").PlacedFile} file */

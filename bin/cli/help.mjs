@@ -15,6 +15,7 @@ import { FORMATS } from "../../www/shared/formats/index.mjs";
 import { CALLED, STEP_FORM } from "../../www/shared/step.mjs";
 import { loadCad } from "./cad.mjs";
 import { WEAR } from "./import.mjs";
+import { JOBS_HELP } from "./jobs.mjs";
 import { parameterHelp, rangeOf } from "./parameters.mjs";
 import { terms } from "./terms.mjs";
 
@@ -50,7 +51,7 @@ Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called
 
 const score = () => `fit4cad score PATH… [--protocol ${PROTOCOL_NAMES}] [--format FORMAT] [--self] [--as …]
 fit4cad score PATH… [--protocol NAME,NAME…] [--measures NAME,NAME…] [--normalisation NAME]
-                    [--epsilon N] [--by size,type] [--format FORMAT] [--self] [--as …]
+                    [--epsilon N] [--by size,type] [--format FORMAT] [--self] [--jobs N] [--as …]
 
 Scores every submission found in the given files, folders and zips against the ground truth found
 beside it. Files belong to one model by their names:
@@ -61,7 +62,7 @@ ${terms(FILE_KINDS.map(({ endings, title, meaning }) => [`.${endings[0]}`, `${ti
 method's submission; files in other folders are the truth. One of the two surface files is enough.
 
 ${terms(PROTOCOLS.map(({ name, meaning }, place) => [`--protocol ${name}`, `${place === 0 ? "(default) " : ""}${meaning}`]), 26)}${formatHelp(26)}  --self                  scores the truth against itself, as method "truth"
-  --as role=R,model=M,method=N,first=F:FILE
+${terms([["--jobs N", JOBS_HELP]], 26)}  --as role=R,model=M,method=N,first=F:FILE
                           FILE is R (${ROLE_NAMES}) of model M, found by
                           method N (empty: the truth), whatever its name says, and its indices count
                           from F (0 or 1); each of the four may be left out, and the option may be
@@ -119,7 +120,8 @@ Example:
   fit4cad generate flange --noise 0.001 --out demo && fit4cad score demo --self
 `;
 
-const fit = () => `fit4cad fit --method ${FITTER_NAMES} [--out DIR] [--format table|json] [--seed N] [parameters] PATH…
+const fit = () => `fit4cad fit --method ${FITTER_NAMES} [--out DIR] [--format table|json] [--seed N] [--jobs N]
+            [parameters] PATH…
 
 Finds the primitives of every cloud in the given files, folders and zips: which points make up each,
 and its surface. Only the clouds are read; truth and submissions beside them are not.
@@ -131,7 +133,7 @@ ${terms(FITTERS.map(({ name, title, fullName, meaning }) => [`--method ${name}`,
                   type, points and mean fitting error of each primitive, and how many of each type; error,
                   where its files could not be written
   --seed N        of everything random (default 1); the same seed gives the same primitives
-  --single        instead of a method: the whole cloud is one primitive, or each segment that is given
+${terms([["--jobs N", JOBS_HELP]], 18)}  --single        instead of a method: the whole cloud is one primitive, or each segment that is given
                   with it (a column of labels, PC14_primitives.txt); says the type, the distances, the
                   best of another type and how many times as far the points are from that. With --out
                   also the answer columns of SHREC 2022, in DIR/shrec2022

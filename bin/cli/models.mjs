@@ -15,7 +15,10 @@ import { unusable } from "./inputs.mjs";
  * @property {(file: PlacedFile) => boolean} [wanted] which files are read; all where it is left out
  * @property {Record<string, Override>} [overrides] by path, what is known better than a name tells
  * @property {(text: string) => void} [progress]
+ * @property {(index: number) => boolean} [claim] which models are done here; all where it is left out
  */
+
+/** A model that the engine could not bear, by its place. @typedef {{ index: number, diagnostic: import("./inputs.mjs").Diagnostic }} Stop */
 
 /**
  * Whether a placed file is the cloud or of the ground truth, and no method's.
@@ -27,19 +30,23 @@ export const isOfTruth = ({ method }) => method === undefined;
  * Reads each model among the files, in the engine's order, hands it to `visit(model, files, place)`
  * with the files it was read from, its place in the row for the terminal and the engine it is in, and
  * releases it. Gives the diagnostics of files that belong to no model, and of models that the engine
- * could not bear: the others get a fresh one, and the last is given back, fit for what is to come.
+ * could not bear (also by their places, as `stops`): the others get a fresh one, and the last is given back,
+ * fit for what is to come.
  * Anything else that `visit` throws ends the run.
  * @param {Engine} engine
  * @param {readonly File[]} files
  * @param {Choice} choice
- * @param {(model: Model, files: readonly ModelFile[], place: string, engine: Engine) => void} visit
+ * @param {(model: Model, files: readonly ModelFile[], place: string, engine: Engine, index: number) => void} visit
  */
-export async function eachModel(engine, files, { wanted = () => true, overrides = {}, progress = () => {} }, visit) {
+export async function eachModel(engine, files, { wanted = () => true, overrides = {}, progress = () => {}, claim = () => true }, visit) {
   const grouping = engine.group(files.map(({ path }) => path), overrides);
-  const diagnostics = grouping.unplaced.map(({ path, reason }) => unusable(path, reason, "", "warning"));
+  const unplaced = grouping.unplaced.map(({ path, reason }) => unusable(path, reason, "", "warning"));
+  /** @type {Stop[]} */
+  const stops = [];
   const byPath = new Map(files.map((file) => [file.path, file]));
   let able = engine;
   for (const [index, { name, files: placed }] of grouping.models.entries()) {
+    if (!claim(index)) continue;
     const place = `${index + 1} of ${grouping.models.length}: ${name}`;
     progress(place);
     const own = placed.filter(wanted).flatMap((file) => {
@@ -47,16 +54,28 @@ export async function eachModel(engine, files, { wanted = () => true, overrides 
       return content ? [{ ...content, ...file }] : [];
     });
     try {
-      visitModel(able, name, own, (model) => visit(model, own, place, able));
+      visitModel(able, name, own, (model) => visit(model, own, place, able, index));
     } catch (error) {
       if (!isStop(error)) {
         throw error;
       }
-      diagnostics.push(unusable(name, "the engine ran out of memory, or failed, on this model", "Thin the cloud, or score fewer results at a time"));
+      const diagnostic = unusable(name, "the engine ran out of memory, or failed, on this model", "Thin the cloud, or score fewer results at a time");
+      stops.push({ index, diagnostic });
       able = (await loadEngineApart()).engine;
     }
   }
-  return { diagnostics, engine: able };
+  return { diagnostics: [...unplaced, ...stops.map(({ diagnostic }) => diagnostic)], unplaced, stops, engine: able };
+}
+
+/**
+ * The diagnostics of files that belong to no model.
+ * @param {Engine} engine
+ * @param {readonly File[]} files
+ * @param {Record<string, Override>} [overrides]
+ */
+export function unplacedAmong(engine, files, overrides = {}) {
+  const grouping = engine.group(files.map(({ path }) => path), overrides);
+  return grouping.unplaced.map(({ path, reason }) => unusable(path, reason, "", "warning"));
 }
 
 /**

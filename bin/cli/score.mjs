@@ -6,10 +6,11 @@ import { scoresOf } from "../../www/shared/formats/measures.mjs";
 import { corrections } from "./corrections.mjs";
 import { inOneLine, tell } from "./diagnostics.mjs";
 import { loadEngine } from "./engine.mjs";
-import { evaluate, scoredBy } from "./evaluate.mjs";
+import { evaluateBy } from "./evaluate.mjs";
 import { FIELD_OPTIONS, fieldOf, scoreField } from "./field.mjs";
 import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect } from "./inputs.mjs";
+import { JOBS_OPTIONS, jobsOf } from "./jobs.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, readArguments } from "./usage.mjs";
 
@@ -18,6 +19,7 @@ const OPTIONS = /** @type {const} */ ({
   ...FIELD_OPTIONS,
   ...FORMAT_OPTIONS,
   self: { type: "boolean", default: false },
+  ...JOBS_OPTIONS,
   as: { type: "string", multiple: true, default: /** @type {string[]} */ ([]) },
 });
 
@@ -35,12 +37,14 @@ export async function score(args) {
   const field = fieldOf(values);
   const format = formatOf(values, NAMES);
   const overrides = corrections(values.as);
+  const jobs = jobsOf(values);
   const engine = await loadEngine();
 
   progress.show("looking for files");
   const inputs = collect(positionals);
   refuseUnknown(Object.keys(overrides), inputs.files);
   const how = {
+    ...{ jobs, paths: positionals },
     overrides,
     self: values.self,
     progress: /** @param {string} text */ (text) => progress.show(`scoring ${text}`),
@@ -49,7 +53,7 @@ export async function score(args) {
     return scoreField(engine, inputs, { ...how, field, format });
   }
   const protocol = choice("protocol", values.protocol, PROTOCOLS.map(({ name }) => name));
-  const { results, diagnostics, engine: able } = await evaluate(engine, inputs.files, { ...how, report: scoredBy(protocol) });
+  const { results, diagnostics, engine: able } = await /** @type {typeof evaluateBy<import("./evaluate.mjs").Score>} */ (evaluateBy)(engine, inputs, { ...how, by: { protocol } });
   progress.clear();
 
   const problems = [...inputs.diagnostics, ...diagnostics];

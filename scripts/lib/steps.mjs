@@ -1,8 +1,11 @@
 // Steps of the test run: each timed, its tests counted from what its runner prints.
 
-import { Failed, marked, print } from "./run.mjs";
+import { Failed, Plain, marked, print } from "./run.mjs";
 
-/** How the runners say what came of the tests: cargo and wasm-bindgen, node:test, Playwright. */
+/** A step that cannot be run on this machine, and why: no failure, but told. */
+export class Skipped extends Plain {}
+
+/** How the runners say what came of the tests: cargo and wasm-bindgen, node:test, Playwright, pytest. */
 const COUNTS = {
   cargo: {
     passed: /^test result: .*?(\d+) passed/gm,
@@ -20,6 +23,11 @@ const COUNTS = {
     skipped: /^ +(\d+) skipped/gm,
     // Passed at the second attempt: told, to be looked into, but a busy machine alone fails no run.
     repeated: /^ +(\d+) flaky/gm,
+  },
+  pytest: {
+    passed: /\b(\d+) passed\b.* in [\d.]+s/gm,
+    failed: /\b(\d+) (?:failed|errors?)\b(?=.* in [\d.]+s)/gm,
+    skipped: /\b(\d+) (?:skipped|xfailed)\b.* in [\d.]+s/gm,
   },
 };
 
@@ -98,11 +106,11 @@ async function runStep(step, results) {
   try {
     output = (await step.run()) ?? "";
   } catch (error) {
-    outcome = "failed";
+    outcome = error instanceof Skipped ? "skipped" : "failed";
     output = error instanceof Failed ? error.output : "";
     print(String(error instanceof Error ? error.message : error));
   }
-  const counts = step.runner ? count(step.runner, output) : undefined;
+  const counts = step.runner && outcome !== "skipped" ? count(step.runner, output) : undefined;
   const nothing = counts && counts.passed + counts.failed + counts.skipped === 0;
   if (outcome === "ok" && nothing) {
     outcome = "failed";
@@ -128,9 +136,9 @@ export function summarise(results) {
     const tests = counts ? written(counts) : "";
     console.log(`${name.padEnd(30)} ${`${seconds.toFixed(1)} s`.padStart(8)}  ${outcome.padEnd(8)} ${tests}`);
     total.passed += counts?.passed ?? 0;
-    total.skipped += counts?.skipped ?? 0;
+    total.skipped += counts?.skipped ?? (outcome === "skipped" ? 1 : 0);
     // A step that fails without a failing test (a lint, a build, a crash) is a failure too.
-    total.failed += counts?.failed || (outcome === "ok" ? 0 : 1);
+    total.failed += counts?.failed || (outcome === "ok" || outcome === "skipped" ? 0 : 1);
   }
   const skipped = total.skipped ? ` (${total.skipped} skipped)` : "";
   console.log(`\n${total.passed} passed, ${total.failed} failed${skipped}`);

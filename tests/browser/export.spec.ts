@@ -1,5 +1,6 @@
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
+import { existsSync } from "node:fs";
 import { mkdir, readFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
@@ -92,6 +93,11 @@ test("the command of a sample makes and scores the same sample", async ({ page, 
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   await page.getByRole("button", { name: "Copy as command" }).click();
   await expect.poll(copied).toBe(line);
+  await page.getByRole("button", { name: "Copy as Python" }).click();
+  await expect.poll(copied).toContain("import fit4cad\n");
+  const python = await copied();
+  expect(python).toContain(`    fit4cad.generate("flange", name="${name}", noise=0.001, seed=7),\n]\n`);
+  expect(python).toContain('for model in [samples[1]]:\n    model.fit("pg", smallest=12, seed=1)\n');
   await page.getByRole("button", { name: "Copy link" }).click();
   await expect.poll(copied).toBe(await page.getByLabel("Link", { exact: true }).inputValue());
   const { bytes } = await save(page, "Save CSV");
@@ -101,4 +107,12 @@ test("the command of a sample makes and scores the same sample", async ({ page, 
   const out = execFileSync("bash", ["-c", script], { cwd: folder, encoding: "utf8" });
   const scored = out.slice(out.indexOf("model,method"));
   expect(scored).toBe(bytes.toString());
+  const interpreter = join(ROOT, ".tools/python/bin/python");
+  if (existsSync(interpreter)) {
+    const said = execFileSync(interpreter, ["-c", python], { cwd: folder, encoding: "utf8" });
+    const means = said.trim().split("\n").map((row) => Number(/'DSC': ([\d.e-]+)/.exec(row)?.[1]));
+    const column = scored.split("\n")[0]?.split(",").indexOf("DSC") ?? -1;
+    const theirs = scored.trim().split("\n").slice(1).map((row) => Number(row.split(",")[column]));
+    expect(means).toEqual(theirs.slice(0, means.length));
+  }
 });

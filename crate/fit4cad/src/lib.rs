@@ -2,12 +2,13 @@
 //!
 //! Fit4CAD (Romanengo, Raffo, Qie, Anwer and Falcidieno, 2021) is a benchmark for methods that
 //! segment a point cloud into planes, cylinders, cones, spheres and tori. This crate holds all of
-//! the playground that is not presentation. It is pure: it knows nothing of JavaScript, threads,
-//! files on disk or the clock, so the same code runs natively, in a browser and under Node.
+//! the playground that is not presentation. It is pure: it knows nothing of JavaScript, files on disk
+//! or the clock, nor of threads but in [`batch`] where the feature `rayon` is on, so the same code runs
+//! natively, in a browser and under Node.
 //!
 //! Data flows one way: text files → [`mod@format`] → [`model::Model`] → [`fit`] (makes a
 //! [`model::Submission`]) → [`metrics`] (makes a report). [`sample`] makes models with known truth,
-//! [`audit`] checks one, [`statistics`] counts what a set of models holds.
+//! [`audit`] checks one, [`statistics`] counts what a set of models holds; [`batch`] does many at once.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -16,6 +17,7 @@
 extern crate fit4cad_testing;
 
 pub mod audit;
+pub mod batch;
 pub mod cloud;
 pub mod diagnostics;
 mod disjoint;

@@ -21,6 +21,13 @@ pub struct Model {
 
 impl Model {
     /// Adds the result of a method, in the place of an earlier one of the same name.
+    ///
+    /// ```
+    /// use fit4cad::model::{Model, Segmentation};
+    /// let mut model = Model::default();
+    /// model.submit("HT", Segmentation::default());
+    /// assert_eq!(model.submissions[0].method, "HT");
+    /// ```
     pub fn submit(&mut self, method: &str, segmentation: Segmentation) {
         let submission = Submission {
             method: method.to_owned(),
@@ -73,6 +80,15 @@ pub struct Primitive {
 
 impl Primitive {
     /// Points on a surface that is known exactly: both vectors are converted from it.
+    ///
+    /// ```
+    /// use fit4cad::cloud::{Point, Vector};
+    /// use fit4cad::model::Primitive;
+    /// use fit4cad::surface::{Plane, Surface};
+    /// let floor = Surface::Plane(Plane::new(Point::origin(), Vector::z()));
+    /// let primitive = Primitive::on(floor, 1, vec![0, 1, 2]);
+    /// assert_eq!(primitive.parametric.values().map(<[f64]>::len), Some(9));
+    /// ```
     pub fn on(surface: Surface, number: u32, points: Vec<u32>) -> Self {
         Self {
             number,

@@ -104,6 +104,16 @@ impl DatasetStatistics {
     }
 
     /// Sums up models. O(n log n) in their number.
+    ///
+    /// ```
+    /// use fit4cad::sample::{Options, generate};
+    /// use fit4cad::statistics::{DatasetStatistics, ModelStatistics};
+    /// let options = Options { spacing: 0.02, ..Options::default() };
+    /// let model = generate("flange", &options)?;
+    /// let set = DatasetStatistics::of(&[ModelStatistics::of(&model)]);
+    /// assert_eq!((set.models, set.points), (1, model.cloud.len()));
+    /// # Ok::<(), fit4cad::sample::SampleError>(())
+    /// ```
     pub fn of(models: &[ModelStatistics]) -> Self {
         let mut types = TypeCounts::default();
         for model in models {

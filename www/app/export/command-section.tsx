@@ -1,4 +1,4 @@
-// The line that repeats all this in a terminal.
+// The lines that repeat all this in a terminal, or in Python.
 
 import type { JSX } from "preact";
 import { computed } from "@preact/signals";
@@ -8,8 +8,9 @@ import { brought, overrides } from "../state/inbox";
 import { fitOf } from "../state/made";
 import { scoredRows, type ModelEntry } from "../state/models";
 import { protocol } from "../state/settings";
-import { commandLine, type FitOnScreen, type SampleOnScreen } from "./command";
+import { commandLine, type FitOnScreen, type OnScreen, type SampleOnScreen } from "./command";
 import { copy } from "./download";
+import { pythonLines } from "./python";
 
 const entries = computed(() => [...new Set(scoredRows.value.map(({ entry }) => entry))]);
 
@@ -50,20 +51,21 @@ function isSame(a: FitRequest, b: FitRequest | undefined): boolean {
   return a.seed === b?.seed && [...names].every((name) => a.parameters[name] === b.parameters[name]);
 }
 
-const line = computed(() => {
+const onScreen = computed((): OnScreen => {
   const samples = entries.value.flatMap(({ id, origin }): SampleOnScreen[] =>
     origin.kind === "sample" ? [{ name: id, part: origin.part, options: origin.options }] : [],
   );
   const paths = [...brought.value.keys()];
-  return commandLine({ paths, samples, fits: repeatable.value, corrections: overrides.value, protocol: protocol.value });
+  return { paths, samples, fits: repeatable.value, corrections: overrides.value, protocol: protocol.value };
 });
 
 /** Whether there are submissions that the line cannot make again. */
 const isShort = computed(() => fitted.value.some(({ request }) => !repeatable.value.some((fit) => fit.request.method === request.method)));
 
 export function CommandSection(): JSX.Element | null {
-  const text = line.value;
-  if (text === undefined) return null;
+  const text = commandLine(onScreen.value);
+  const python = pythonLines(onScreen.value);
+  if (text === undefined || python === undefined) return null;
   return (
     <section>
       <h3>A command</h3>
@@ -74,6 +76,9 @@ export function CommandSection(): JSX.Element | null {
         </code>
         <button type="button" onClick={() => void copy(text, "Command")}>
           Copy as command
+        </button>
+        <button type="button" title="The same with the Python package fit4cad" onClick={() => void copy(python, "Python")}>
+          Copy as Python
         </button>
       </div>
       {isShort.value && (

@@ -69,7 +69,7 @@ function correction(file: string, override: Override): string[] {
 }
 
 /** What was dropped: whole folders and zips, and loose files. */
-function roots(paths: readonly string[]): string[] {
+export function roots(paths: readonly string[]): string[] {
   const first = paths.map((whole) => whole.split("/")[0] ?? whole);
   return [...new Set(first)].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
 }

@@ -60,6 +60,15 @@ pub struct Audit {
 ///
 /// The truth may come from anywhere; a truth made by the [sample generator](crate::sample) without
 /// noise has no findings.
+///
+/// ```
+/// use fit4cad::audit::audit;
+/// use fit4cad::sample::{Options, generate};
+/// let options = Options { spacing: 0.02, ..Options::default() };
+/// let model = generate("flange", &options)?;
+/// assert!(audit(&model, &[]).findings.is_empty());
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn audit(model: &Model, diagnostics: &[Diagnostic]) -> Audit {
     let mut findings = reading::findings(diagnostics);
     let Some(truth) = &model.truth else {

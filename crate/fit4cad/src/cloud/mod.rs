@@ -47,6 +47,12 @@ pub struct Cloud {
 
 impl Cloud {
     /// A cloud of the given points, kept in their order and numbered in it. O(n).
+    ///
+    /// ```
+    /// use fit4cad::cloud::{Cloud, Point};
+    /// let cloud = Cloud::new(vec![Point::new(0.0, 0.0, 0.0), Point::new(3.0, 4.0, 0.0)]);
+    /// assert_eq!((cloud.len(), cloud.bounds().diagonal()), (2, 5.0));
+    /// ```
     pub fn new(points: Vec<Point>) -> Self {
         let numbering = Numbering::of(points.len());
         Self::numbered(points, numbering)

@@ -161,6 +161,17 @@ impl About {
 }
 
 /// Writes a segmentation of a cloud. Linear in the points, but for patches.
+///
+/// ```
+/// use fit4cad::export::{About, Export, write};
+/// use fit4cad::sample::{Options, generate};
+/// let options = Options { spacing: 0.02, ..Options::default() };
+/// let model = generate("flange", &options)?;
+/// let truth = model.truth.unwrap_or_default();
+/// let table = write(Export::Csv, &model.cloud, &truth, &About::default());
+/// assert_eq!(table.split(|byte| *byte == b'\n').count(), truth.primitives.len() + 2);
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn write(export: Export, cloud: &Cloud, segmentation: &Segmentation, about: &About) -> Vec<u8> {
     match export {
         Export::Csv => table::csv(cloud, segmentation).into_bytes(),

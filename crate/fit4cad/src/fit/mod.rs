@@ -20,6 +20,7 @@
 pub mod axes;
 pub mod contest;
 pub mod detect;
+pub mod given;
 pub mod growing;
 pub mod holders;
 pub mod hough;

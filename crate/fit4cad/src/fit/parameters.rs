@@ -129,6 +129,15 @@ impl Parameters {
     ///
     /// # Errors
     /// If there is no such parameter, or the value is out of its range or a broken count.
+    ///
+    /// ```
+    /// use fit4cad::fit::Parameters;
+    /// let mut parameters = Parameters::default();
+    /// parameters.set("smallest", 20.0)?;
+    /// assert_eq!(parameters.get("smallest"), Some(20.0));
+    /// assert!(parameters.set("smallest", 2.5).is_err());
+    /// # Ok::<(), fit4cad::fit::parameters::ParameterError>(())
+    /// ```
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), ParameterError> {
         let info = TABLE
             .iter()

@@ -20,7 +20,13 @@ pub(super) const NO_LABEL: i32 = -1;
 
 /// The segments that labels make, one a point, by rising label; points of labels below 0 belong to
 /// none. O(n log k) for k labels.
-pub(super) fn by_label(labels: &[i32]) -> Vec<Segment> {
+///
+/// ```
+/// use fit4cad::format::by_label;
+/// let segments = by_label(&[7, -1, 2, 7]);
+/// assert_eq!((segments[0].number, &segments[1].points[..]), (2, &[0, 3][..]));
+/// ```
+pub fn by_label(labels: &[i32]) -> Vec<Segment> {
     let mut segments: BTreeMap<i32, Vec<u32>> = BTreeMap::new();
     for (index, &label) in (0..).zip(labels) {
         if label >= 0 {

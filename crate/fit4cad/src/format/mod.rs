@@ -29,7 +29,7 @@ pub use assemble::{Named, assemble};
 pub use cloud::{CloudFile, read_cloud};
 pub use files::{FILE_KINDS, FileKind, Holds};
 pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
-pub use labels::Segment;
+pub use labels::{Segment, by_label};
 pub use paths::{Layout, file_name, path_of};
 pub use primitives::{PointList, read_primitives};
 pub use read::{Reading, Role, Source, SourceFile, read_files, read_model};

@@ -136,6 +136,20 @@ pub struct Reading {
 }
 
 /// Reads a model from its files, those of other programs among them: see [`read_files`].
+///
+/// ```
+/// use fit4cad::format::{Role, SourceFile, read_model};
+/// let file = |path, role, text: &'static str| SourceFile { path, role, method: None, bytes: text.as_bytes() };
+/// let files = [
+///     file("PC1.txt", Role::Cloud, "0 0 0\n1 0 0\n0 1 0\nnan 1 0\n"),
+///     file("PC1_primitives.txt", Role::Primitives, "Primitive1:=[1 2 3 9];"),
+/// ];
+/// let (model, findings) = read_model("PC1", &files);
+/// assert_eq!(model.truth.map(|truth| truth.primitives[0].points.clone()), Some(vec![0, 1, 2]));
+/// // What is wrong is said with file, line and column: a row that is no point, an index of no row.
+/// assert!(findings.iter().any(|finding| finding.file == "PC1.txt"));
+/// assert!(findings.iter().any(|finding| finding.to_string().starts_with("PC1_primitives.txt:1:20:")));
+/// ```
 pub fn read_model<S: Source>(name: &str, files: &[S]) -> (Model, Vec<Diagnostic>) {
     let Reading {
         model, diagnostics, ..

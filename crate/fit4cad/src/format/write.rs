@@ -31,6 +31,15 @@ pub fn write_cloud(cloud: &Cloud) -> String {
 
 /// The text of `PCi_primitives.txt`: lists of points by their numbers in the cloud's file. Linear in
 /// the points listed.
+///
+/// ```
+/// use fit4cad::format::write_primitives;
+/// use fit4cad::cloud::Numbering;
+/// use fit4cad::model::{Primitive, Segmentation};
+/// let primitives = vec![Primitive { number: 1, points: vec![0, 1], ..Primitive::default() }];
+/// let text = write_primitives(&Segmentation { primitives }, &Numbering::of(2));
+/// assert!(text.starts_with("Primitive1:=[1"));
+/// ```
 pub fn write_primitives(segmentation: &Segmentation, numbering: &Numbering) -> String {
     let listed: usize = segmentation
         .primitives
@@ -56,6 +65,17 @@ pub fn write_primitives(segmentation: &Segmentation, numbering: &Numbering) -> S
 /// A primitive without an entry in that form has none in the text; an entry that could not be read
 /// is written with its type and no numbers, so that it cannot be read again either. Empty where no
 /// primitive has an entry: readers then convert the other form.
+///
+/// ```
+/// use fit4cad::cloud::{Point, Vector};
+/// use fit4cad::format::write_surfaces;
+/// use fit4cad::model::{Primitive, Segmentation};
+/// use fit4cad::surface::{Form, Plane, Surface};
+/// let floor = Surface::Plane(Plane::new(Point::origin(), Vector::z()));
+/// let primitives = vec![Primitive::on(floor, 1, vec![0])];
+/// let text = write_surfaces(&Segmentation { primitives }, Form::Implicit);
+/// assert!(text.contains("Plane"));
+/// ```
 pub fn write_surfaces(segmentation: &Segmentation, form: Form) -> String {
     let mut text = String::new();
     for primitive in &segmentation.primitives {

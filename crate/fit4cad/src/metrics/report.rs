@@ -126,6 +126,17 @@ pub enum ScoreError {
 ///
 /// # Errors
 /// [`ScoreError`] if the model lacks a truth or that submission.
+///
+/// ```
+/// use fit4cad::metrics::{Measure, Protocol, score};
+/// use fit4cad::sample::{Options, generate, imperfect};
+/// let options = Options { spacing: 0.02, ..Options::default() };
+/// let mut model = generate("flange", &options)?;
+/// model.submit("MINE", imperfect(&model, 1));
+/// let report = score(&model, "MINE", Protocol::Definition);
+/// assert!(report.is_ok_and(|report| report.mean[Measure::Dsc].is_some_and(|dsc| dsc > 0.5)));
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn score(model: &Model, method: &str, protocol: Protocol) -> Result<Report, ScoreError> {
     let truth = model.truth.as_ref().ok_or_else(|| ScoreError::NoTruth {
         model: model.name.clone(),
@@ -146,6 +157,17 @@ pub fn score(model: &Model, method: &str, protocol: Protocol) -> Result<Report, 
 }
 
 /// Scores a segmentation against the true one. O(points + listed indices + overlaps).
+///
+/// ```
+/// use fit4cad::metrics::{Measure, Protocol, evaluate};
+/// use fit4cad::sample::{Options, generate};
+/// let options = Options { spacing: 0.02, ..Options::default() };
+/// let model = generate("flange", &options)?;
+/// let truth = model.truth.unwrap_or_default();
+/// let report = evaluate(&model.cloud, &truth, &truth, Protocol::Definition);
+/// assert_eq!((report.mean[Measure::Dsc], report.type_errors), (Some(1.0), 0));
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn evaluate(
     cloud: &Cloud,
     truth: &Segmentation,

@@ -84,6 +84,14 @@ impl MethodSummary {
 
 /// Sums up reports method by method, in the order in which the methods first appear. A model that
 /// lacks a measure is left out of its mean, and a mean over no model is `None`, never 0. O(n log n).
+///
+/// ```
+/// use fit4cad::metrics::{Measure, Score, summarise};
+/// let score = |value| Score { method: "HT", measures: Measure::ALL.map(|_| Some(value)), type_errors: 1 };
+/// let [summary] = &summarise([score(0.5), score(1.0)])[..] else { unreachable!() };
+/// assert_eq!(summary.type_errors, 2);
+/// assert_eq!(summary.over(Measure::Dsc).map(|over| over.mean), Some(0.75));
+/// ```
 pub fn summarise<'a>(scores: impl IntoIterator<Item = Score<'a>>) -> Vec<MethodSummary> {
     let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     let mut groups: Vec<(&str, Vec<Score<'_>>)> = Vec::new();

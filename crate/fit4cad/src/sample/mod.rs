@@ -116,6 +116,15 @@ pub enum SampleError {
 /// # Errors
 /// [`SampleError`] if there is no such part, an option is out of its range, or there would be more
 /// than [`MAX_POINTS`].
+///
+/// ```
+/// use fit4cad::sample::{Options, generate};
+/// let options = Options { spacing: 0.02, noise: 0.001, ..Options::default() };
+/// let model = generate("bracket", &options)?;
+/// assert!(model.truth.is_some_and(|truth| truth.primitives.len() > 5));
+/// assert!(generate("braket", &options).is_err());
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn generate(part: &str, options: &Options) -> Result<Model, SampleError> {
     build(part, &catalogue::part(part)?, options)
 }
@@ -157,6 +166,15 @@ pub fn build(name: &str, part: &Part, options: &Options) -> Result<Model, Sample
 ///
 /// # Errors
 /// [`SampleError::OutOfRange`] names the first number of `degradation` that is out of its range.
+///
+/// ```
+/// use fit4cad::sample::{Degradation, Options, degraded, generate};
+/// let options = Options { spacing: 0.02, ..Options::default() };
+/// let model = generate("flange", &options)?;
+/// let scan = Degradation { missing: 0.2, ..Degradation::default() };
+/// assert!(degraded(&model, &scan, 1)?.cloud.len() < model.cloud.len());
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn degraded(model: &Model, degradation: &Degradation, seed: u64) -> Result<Model, SampleError> {
     degradation.check()?;
     let diagonal = model.cloud.bounds().diagonal();

@@ -24,6 +24,16 @@ impl Surface {
     /// [`ConversionError`] where the vector has another length, holds no finite numbers or is so
     /// degenerate that no member of the family is near. A vector that merely misses the family
     /// gives the nearest member found with its [`misfit`](Conversion::misfit).
+    ///
+    /// ```
+    /// use fit4cad::surface::{Surface, SurfaceType};
+    /// // u, v and a point of the plane z = 2.
+    /// let vector = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0];
+    /// let found = Surface::from_parametric(SurfaceType::Plane, &vector)?;
+    /// let Surface::Plane(plane) = found.surface else { unreachable!() };
+    /// assert_eq!((plane.offset, plane.normal.z), (2.0, 1.0));
+    /// # Ok::<(), fit4cad::surface::ConversionError>(())
+    /// ```
     pub fn from_parametric(
         kind: SurfaceType,
         values: &[f64],
@@ -38,6 +48,15 @@ impl Surface {
 
     /// The parametric vector in the paper's order, with an orthogonal frame. The cone's starts at
     /// the apex (a = b = 0).
+    ///
+    /// ```
+    /// use fit4cad::cloud::Point;
+    /// use fit4cad::surface::{Sphere, Surface, SurfaceType};
+    /// let ball = Surface::Sphere(Sphere::new(Point::new(1.0, 2.0, 3.0), 4.0));
+    /// let again = Surface::from_parametric(SurfaceType::Sphere, &ball.to_parametric())?;
+    /// assert_eq!(again.surface, ball);
+    /// # Ok::<(), fit4cad::surface::ConversionError>(())
+    /// ```
     pub fn to_parametric(&self) -> Vec<f64> {
         let columns: Vec<Vector> = match self {
             Self::Plane(plane) => {

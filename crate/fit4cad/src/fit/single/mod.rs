@@ -69,6 +69,18 @@ pub struct Single {
 ///
 /// Some 20 ms for a thousand points, linear beyond. There is an answer for any points, also for one or
 /// none, and whatever the types; where none is given all five are tried.
+///
+/// ```
+/// use fit4cad::cloud::Point;
+/// use fit4cad::fit::single::fit_single;
+/// use fit4cad::surface::SurfaceType;
+/// let circle = (0..60).flat_map(|i| (0..5).map(move |z| {
+///     let angle = f64::from(i) * std::f64::consts::TAU / 60.0;
+///     Point::new(2.0 * angle.cos(), 2.0 * angle.sin(), f64::from(z))
+/// }));
+/// let found = fit_single(&circle.collect::<Vec<_>>(), &[]);
+/// assert_eq!(found.best.surface.kind(), SurfaceType::Cylinder);
+/// ```
 pub fn fit_single(points: &[Point], kinds: &[SurfaceType]) -> Single {
     let kinds = if kinds.is_empty() {
         &SurfaceType::ALL
@@ -108,6 +120,21 @@ pub fn fit_single(points: &[Point], kinds: &[SurfaceType]) -> Single {
 
 /// Gives every primitive that has no surface the one its points lie on, of its own type where it has
 /// one; primitives without points stay as they are. Gives how many got one.
+///
+/// ```
+/// use fit4cad::cloud::{Cloud, Point};
+/// use fit4cad::fit::single::fit_segments;
+/// use fit4cad::model::{Primitive, Segmentation};
+/// use fit4cad::surface::SurfaceType;
+/// let grid = (0..100).map(|i| Point::new(f64::from(i % 10), f64::from(i / 10), 1.0));
+/// let cloud = Cloud::new(grid.collect());
+/// let points = (0..100).collect();
+/// let primitives = vec![Primitive { number: 1, points, ..Primitive::default() }];
+/// let mut segments = Segmentation { primitives };
+/// assert_eq!(fit_segments(&cloud, &mut segments), 1);
+/// let surface = segments.primitives[0].surface;
+/// assert_eq!(surface.map(|surface| surface.kind()), Some(SurfaceType::Plane));
+/// ```
 pub fn fit_segments(cloud: &Cloud, segmentation: &mut Segmentation) -> usize {
     let mut fitted = 0;
     for primitive in &mut segmentation.primitives {

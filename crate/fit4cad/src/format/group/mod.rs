@@ -83,6 +83,15 @@ pub struct Unplaced {
 /// truth; one in a folder of its own is the result of a method named after that folder. Models of
 /// the same name in different sets are kept apart. The result does not depend on the order of the
 /// paths. O(n log n) for n paths of bounded depth.
+///
+/// ```
+/// use std::collections::BTreeMap;
+/// use fit4cad::format::group;
+/// let paths = ["set/PC2.txt", "set/PC2_primitives.txt", "set/HT/PC2_primitives.txt"];
+/// let grouping = group(&paths, &BTreeMap::new());
+/// let files = &grouping.models[0].files;
+/// assert_eq!((files.len(), files[2].method.as_deref()), (3, Some("HT")));
+/// ```
 pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>) -> Grouping {
     let mut paths: Vec<&str> = paths.iter().map(AsRef::as_ref).collect();
     paths.sort_by(|a, b| natural::compare(a, b));

@@ -123,6 +123,18 @@ pub struct FieldReport {
 
 /// Computes every figure. Where lists are so entangled that primitives cannot be matched one to one
 /// (see [`Overlaps::of`]), what follows from that matching is `None`.
+///
+/// ```
+/// use fit4cad::metrics::geometry::Scale;
+/// use fit4cad::metrics::{Figure, field_report};
+/// use fit4cad::sample::{Options, generate};
+/// let options = Options { spacing: 0.02, ..Options::default() };
+/// let model = generate("flange", &options)?;
+/// let truth = model.truth.unwrap_or_default();
+/// let report = field_report(&model.cloud, &truth, &truth, Scale::default());
+/// assert_eq!(report.figures[Figure::Spfn], Some(1.0));
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
 pub fn field_report(
     cloud: &Cloud,
     truth: &Segmentation,

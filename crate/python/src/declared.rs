@@ -1,0 +1,164 @@
+//! What the engine declares, as the wasm boundary hands it to page and command line, without the formulas.
+
+use fit4cad::export::Export;
+use fit4cad::metrics::geometry::{Normalisation, Scale};
+use fit4cad::metrics::{Better, Figure, FigureGroup, Group, Measure, Protocol};
+use fit4cad::surface::{OTHER, SurfaceType};
+use fit4cad::{fit, format, sample};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+use crate::dict::dict;
+
+/// A list of what a table declares.
+macro_rules! list {
+    ($py:expr; $all:expr, |$one:ident| $dict:expr) => {{
+        let list = PyList::empty($py);
+        for $one in $all {
+            list.append($dict)?;
+        }
+        list
+    }};
+}
+
+const fn better(better: Better) -> &'static str {
+    match better {
+        Better::Higher => "higher",
+        Better::Lower => "lower",
+    }
+}
+
+/// Measures, protocols, figures, types of surfaces, fitters with their parameters, parts, options and kinds of
+/// files: lists of dictionaries by name.
+#[pyfunction]
+pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let parameters = list!(py; fit::Method::ALL, |method| {
+        let heeded = fit::parameters::TABLE.iter();
+        let heeded = heeded.filter(|info| info.methods.contains(&method));
+        dict!(py;
+            "name" => method.name(),
+            "title" => method.title(),
+            "fullName" => method.full_name(),
+            "meaning" => method.meaning(),
+            "parameters" => list!(py; heeded, |info| dict!(py;
+                "name" => info.name,
+                "unit" => info.unit,
+                "minimum" => info.minimum,
+                "maximum" => info.maximum,
+                "default" => info.default,
+                "whole" => info.whole,
+                "explanation" => info.explanation,
+            )),
+        )
+    });
+    let scale = Scale::default();
+    Ok(dict!(py;
+        "measures" => measures(py)?,
+        "protocols" => list!(py; Protocol::ALL, |protocol| dict!(py;
+            "name" => protocol.name(),
+            "rules" => protocol.rules(),
+            "meaning" => protocol.meaning(),
+        )),
+        "figures" => figures(py)?,
+        "normalisations" => list!(py; Normalisation::ALL, |each| dict!(py;
+            "name" => each.name(),
+            "unit" => each.unit(),
+            "meaning" => each.meaning(),
+        )),
+        "figureScale" => dict!(py;
+            "normalisation" => scale.normalisation.name(),
+            "epsilon" => scale.epsilon,
+        ),
+        "surfaceTypes" => list!(py; SurfaceType::ALL, |kind| dict!(py;
+            "name" => kind.name(),
+            "colour" => kind.colour(),
+        )),
+        "otherType" => OTHER,
+        "fitters" => parameters,
+        "stages" => list!(py; fit::Stage::ALL, |stage| dict!(py;
+            "name" => stage.name(),
+            "share" => stage.share(),
+        )),
+        "parts" => list!(py; sample::parts(), |part| dict!(py;
+            "name" => part.name,
+            "title" => part.title,
+            "description" => part.description,
+        )),
+        "sampleOptions" => list!(py; sample::OPTIONS, |option| dict!(py;
+            "name" => option.name,
+            "unit" => option.unit,
+            "minimum" => option.minimum,
+            "maximum" => option.maximum,
+            "default" => option.default,
+            "whole" => option.whole,
+            "explanation" => option.explanation,
+        )),
+        "roles" => list!(py; format::Role::ALL, |role| dict!(py;
+            "name" => role.name(),
+            "meaning" => role.meaning(),
+        )),
+        "fileKinds" => list!(py; format::FILE_KINDS, |kind| dict!(py;
+            "endings" => kind.endings,
+            "title" => kind.title,
+            "meaning" => kind.meaning,
+        )),
+        "exports" => list!(py; Export::ALL, |export| dict!(py;
+            "name" => export.name(),
+            "ending" => export.ending(),
+            "title" => export.title(),
+            "meaning" => export.meaning(),
+            "ofSurfaces" => export.is_of_surfaces(),
+        )),
+        "limits" => dict!(py;
+            "fileBytes" => format::limits::MAX_FILE_BYTES,
+            "points" => format::limits::MAX_POINTS,
+        ),
+    ))
+}
+
+fn measures(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    Ok(list!(py; Measure::ALL, |measure| {
+        let info = measure.info();
+        dict!(py;
+            "key" => info.key,
+            "name" => info.name,
+            "group" => match info.group {
+                Group::Classification => "classification",
+                Group::Accuracy => "accuracy",
+            },
+            "meaning" => info.meaning,
+            "range" => info.range,
+            "most" => info.most,
+            "better" => better(info.better),
+            "logarithmic" => info.logarithmic,
+            "decimals" => info.decimals,
+            "mean" => info.mean,
+            "section" => info.section,
+            "published" => info.published,
+        )
+    }))
+}
+
+fn figures(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    Ok(list!(py; Figure::ALL, |figure| {
+        let info = figure.info();
+        dict!(py;
+            "key" => info.key,
+            "title" => info.title,
+            "group" => match info.group {
+                FigureGroup::Segmentation => "segmentation",
+                FigureGroup::Fit => "fit",
+            },
+            "definition" => info.definition,
+            "rewards" => info.rewards,
+            "trap" => info.trap,
+            "source" => info.source,
+            "labels" => info.labels,
+            "most" => info.most,
+            "better" => better(info.better),
+            "decimals" => info.decimals,
+            "unit" => info.unit,
+            "isNormalised" => info.is_normalised,
+        )
+    }))
+}

@@ -1,0 +1,102 @@
+//! Models with known truth: parts of the catalogue, and clouds made worse.
+
+use fit4cad::model::Model;
+use fit4cad::sample::{self, OPTIONS, Options};
+use pyo3::prelude::*;
+
+use crate::cloud::Cloud;
+use crate::dict::refused;
+use crate::segmentation::Segmentation;
+
+/// How a part becomes a cloud, of the values given by the names of the options.
+fn options_of(given: std::collections::BTreeMap<String, f64>) -> PyResult<Options> {
+    let mut options = Options::default();
+    for (name, value) in given {
+        let known = OPTIONS.iter().find(|known| known.name == name);
+        let known = known.ok_or_else(|| {
+            let names = OPTIONS.map(|known| known.name).join(", ");
+            refused(format!("there is no option `{name}`; there are {names}"))
+        })?;
+        if known.whole && value.fract() != 0.0 {
+            return Err(refused(format!(
+                "`{name}` must be a whole number, not {value}"
+            )));
+        }
+        match name.as_str() {
+            "seed" if (known.minimum..=known.maximum).contains(&value) => {
+                options.seed = value as u64;
+            }
+            "spacing" => options.spacing = value,
+            "noise" => options.noise = value,
+            "outliers" => options.outliers = value,
+            "missing" => options.missing = value,
+            _ => {
+                let (least, most) = (known.minimum, known.maximum);
+                let message = format!("`{name}` must be from {least} to {most}, not {value}");
+                return Err(refused(message));
+            }
+        }
+    }
+    Ok(options)
+}
+
+type Made = (Cloud, Option<Segmentation>);
+
+fn made(model: Model) -> Made {
+    (model.cloud.into(), model.truth.map(Segmentation::from))
+}
+
+/// Makes a part of the catalogue.
+#[pyfunction]
+pub(crate) fn generate(
+    py: Python<'_>,
+    part: &str,
+    options: std::collections::BTreeMap<String, f64>,
+) -> PyResult<Made> {
+    let options = options_of(options)?;
+    let model = py.detach(|| sample::generate(part, &options));
+    Ok(made(model.map_err(refused)?))
+}
+
+/// A cloud as a worse scan would show it, with what is left of its truth.
+#[pyfunction]
+#[pyo3(signature = (cloud, truth, options))]
+pub(crate) fn degrade(
+    py: Python<'_>,
+    cloud: &Cloud,
+    truth: Option<&Segmentation>,
+    options: std::collections::BTreeMap<String, f64>,
+) -> PyResult<Made> {
+    if options.contains_key("spacing") {
+        return Err(refused(
+            "the points are there already: no spacing can be asked for",
+        ));
+    }
+    let options = options_of(options)?;
+    let model = Model {
+        cloud: cloud.cloud.clone(),
+        truth: truth.map(|truth| truth.segmentation.clone()),
+        ..Model::default()
+    };
+    let worn = py.detach(|| sample::degraded(&model, &options.degradation(), options.seed));
+    Ok(made(worn.map_err(refused)?))
+}
+
+/// A submission that is wrong on purpose, in ways that are common.
+#[pyfunction]
+pub(crate) fn imperfect(
+    py: Python<'_>,
+    name: &str,
+    cloud: &Cloud,
+    truth: &Segmentation,
+    seed: u32,
+) -> Segmentation {
+    let model = Model {
+        name: name.to_owned(),
+        cloud: cloud.cloud.clone(),
+        truth: Some(truth.segmentation.clone()),
+        ..Model::default()
+    };
+    py.detach(|| sample::imperfect(&model, u64::from(seed)))
+        .into()
+}

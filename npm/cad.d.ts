@@ -1,0 +1,2 @@
+export * from "./bin/cad/cad.js";
+export { default } from "./bin/cad/cad.js";

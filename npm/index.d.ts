@@ -1,0 +1,2 @@
+export * from "./bin/engine/engine.js";
+export { default } from "./bin/engine/engine.js";

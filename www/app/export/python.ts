@@ -1,0 +1,53 @@
+// The lines of Python that repeat what is on screen.
+
+import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
+import type { Override } from "../engine/contract";
+import { roots, type FitOnScreen, type OnScreen, type SampleOnScreen } from "./command";
+
+/** The lines, to be run where the dropped files and folders are; undefined where there is nothing to repeat. */
+export function pythonLines({ paths, samples, fits, corrections, protocol }: OnScreen): string | undefined {
+  if (samples.length === 0 && paths.length === 0) return undefined;
+  const brought = roots(paths);
+  const known = Object.entries(corrections).filter(([path]) => paths.includes(path));
+  return [
+    "import fit4cad",
+    "",
+    `samples = [${samples.map(generated).join("")}${samples.length > 0 ? "\n" : ""}]`,
+    ...samples.map(({ options }, at) => `samples[${at}].imperfect(${options.seed ?? 1})`),
+    ...(brought.length > 0 ? [`brought = list(fit4cad.read_all(${[...brought.map(text), ...overrides(known)].join(", ")}))`] : []),
+    ...fits.flatMap((fit) => fitted(fit, samples)),
+    `reports = fit4cad.score_many(samples${brought.length > 0 ? " + brought" : ""}, ${text(protocol)})`,
+    "for report in reports:",
+    "    print(report.model, report.method, report.mean)",
+  ].join("\n");
+}
+
+function generated({ name, part, options }: SampleOnScreen): string {
+  const given = SAMPLE_OPTIONS.flatMap(({ name: option }) => {
+    const value = options[option];
+    return value === undefined ? [] : [`${option}=${value}`];
+  });
+  const called = name === part ? [] : [`name=${text(name)}`];
+  return `\n    fit4cad.generate(${[text(part), ...called, ...given].join(", ")}),`;
+}
+
+function overrides(known: readonly (readonly [string, Override])[]): string[] {
+  const said = known.map(([path, override]) => {
+    const pairs = Object.entries(override).map(([key, value]) => `${text(key)}: ${typeof value === "string" ? text(value) : value}`);
+    return `${text(path)}: {${pairs.join(", ")}}`;
+  });
+  return said.length === 0 ? [] : [`overrides={${said.join(", ")}}`];
+}
+
+function fitted({ request: { method, parameters, seed }, samples: own, brought }: FitOnScreen, samples: readonly SampleOnScreen[]): string[] {
+  const places = own.map((name) => samples.findIndex((sample) => sample.name === name)).filter((at) => at >= 0);
+  const which = places.length === samples.length ? "samples" : `[${places.map((at) => `samples[${at}]`).join(", ")}]`;
+  const models = [...(places.length > 0 ? [which] : []), ...(brought ? ["brought"] : [])].join(" + ");
+  const given = Object.entries(parameters).map(([name, value]) => `${name}=${value}`);
+  return models === "" ? [] : [`for model in ${models}:`, `    model.fit(${[text(method), ...given, `seed=${seed}`].join(", ")})`];
+}
+
+/** As a literal of Python; JSON's strings are that, whatever they hold. */
+function text(word: string): string {
+  return JSON.stringify(word);
+}
