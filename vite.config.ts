@@ -3,6 +3,7 @@ import preact from "@preact/preset-vite";
 import { defineConfig, type Plugin } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
 import { parse } from "yaml";
+import { resultsPlugin } from "./scripts/lib/results-plugin.mjs";
 
 /** The development server puts style sheets and its own markup into the page and talks to it over a socket. */
 const developmentPolicy: Plugin = {
@@ -50,6 +51,8 @@ const offline = VitePWA({
   },
   workbox: {
     globPatterns: ["**/*.{html,js,css,wasm,svg,json}"],
+    // Every model of every method of the standing table: fetched with the method's page.
+    globIgnores: ["results/*"],
     maximumFileSizeToCacheInBytes: 8 * 1024 * 1024,
     ignoreURLParametersMatching: [/./],
     cleanupOutdatedCaches: true,
@@ -60,11 +63,16 @@ export default defineConfig({
   root: "www",
   // Relative addresses, so that the built page works under any path of any host.
   base: "./",
-  plugins: [preact(), citation, developmentPolicy, offline],
+  plugins: [preact(), citation, resultsPlugin(), developmentPolicy, offline],
   build: {
     outDir: "dist",
     emptyOutDir: true,
     target: "es2022",
+    rolldownOptions: {
+      output: {
+        chunkFileNames: ({ facadeModuleId }) => (facadeModuleId?.endsWith("/scores.json") ? "results/[name]-[hash].js" : "assets/[name]-[hash].js"),
+      },
+    },
   },
   worker: {
     format: "es",

@@ -12,10 +12,11 @@ import { PROTOCOL_DIFFERENCES } from "../../www/generated/declared/protocol-diff
 import { ROLES } from "../../www/generated/declared/roles.js";
 import { SAMPLE_OPTIONS } from "../../www/generated/declared/sample-options.js";
 import { FORMATS } from "../../www/shared/formats/index.mjs";
+import { WEAR, wearWords } from "../../www/shared/results/wear.mjs";
 import { CALLED, STEP_FORM } from "../../www/shared/step.mjs";
 import { loadCad } from "./cad.mjs";
-import { WEAR } from "./import.mjs";
 import { JOBS_HELP } from "./jobs.mjs";
+import { setsOf } from "./standing/folder.mjs";
 import { parameterHelp, rangeOf } from "./parameters.mjs";
 import { terms } from "./terms.mjs";
 
@@ -35,6 +36,9 @@ const fit4cad = () => `fit4cad: fit, score and make segmentations of CAD point c
   fit4cad stats PATH…       count what a set of models holds
   fit4cad generate PART     make a model with known ground truth
   fit4cad generate --list   the parts it can make
+  fit4cad degrade PATH…     make worse scans of models, the same for everyone by a seed
+  fit4cad submit PATH…      check and score a submission to the standing table, and write its folder
+  fit4cad verify FOLDER…    score again what a row of the standing table claims, digit by digit
   fit4cad COMMAND --help    what a command reads, prints and means
   fit4cad --version
 
@@ -233,6 +237,51 @@ Example:
 Exit code: 0 all counted, 1 some input unusable, 2 called wrongly.
 `;
 
+const degrade = () => `fit4cad degrade PATH… ${[...WEAR].map(({ name }) => `[--${name} N]`).join(" ")} [--seed N] [--out DIR]
+fit4cad degrade PATH… --set NAME [--out DIR]
+
+Makes worse scans of the models found in the given files, folders and zips, with their truth on the
+points that are left. The same model, options and seed give the same files everywhere.
+
+${terms(WEAR.map((info) => [`--${info.name} N`, `${info.explanation} ${capitalised(rangeOf(info))}.`]), 16)}${terms([["--seed N", "Of everything random (default 1)."]], 16)}${terms(setsOf().sets.flatMap(({ id, degraded, title }) => (degraded ? [[`--set ${id}`, `${title}: ${wearWords(degraded)}`]] : [])), 26)}  --out DIR     where the files go, laid out as the public test set (default: the current folder)
+
+Example:
+  fit4cad degrade dataset/test_set --noise 0.002 --seed 7 --out noisy
+`;
+
+const submit = () => `fit4cad submit PATH… --set NAME --to results/METHOD [--method NAME] [--times FILE] [--format table|json]
+
+Checks a submission to the standing table as the table will, step by step, scores it by every protocol
+and writes its folder for a pull request: scores.json, and a method.toml to be filled in where there is
+none. Other sets that the folder has already are kept. The files given hold clouds, truth and answers;
+answers lie in folders named after the method. Every model of the set has to be answered.
+
+${terms(setsOf().sets.map(({ id, title }) => [`--set ${id}`, title]), 26)}  --to results/METHOD     the folder; its name is the row's address, in small letters, digits and hyphens
+  --method NAME           whose answers are meant, where there are several
+  --times FILE            seconds by model: what fit4cad fit --json printed, or a list of the same shape
+
+Example:
+  fit4cad submit dataset/test_set my_answers --set test-10 --to results/my-method
+
+Exit code: 0 written and whole, 1 something is missing or wrong, 2 called wrongly.
+`;
+
+const verify = () => `fit4cad verify results/METHOD… --data PATH [--answers PATH] [--set NAME] [--format table|json]
+
+Scores again what folders of the standing table claim and compares every digit. Files are known by
+their SHA-256, whatever they are called; models of degraded sets and answers of this playground's own
+fitters are made here. A mismatch names the model, what is claimed and what was found.
+
+  --data PATH     the public data: a folder or zip; may be repeated
+  --answers PATH  the answers, where they are neither in the public data nor made here; may be repeated
+  --set NAME      only this set; may be repeated
+
+Example:
+  fit4cad verify results/fit4cad-ht --data Fit4CAD-main.zip
+
+Exit code: 0 every digit the same, 1 not, 2 called wrongly.
+`;
+
 /** The formats of results, from a column on. @param {number} column */
 function formatHelp(column) {
   const entries = Object.entries(FORMATS).map(([name, { what }], place) => {
@@ -252,4 +301,4 @@ function capitalised(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-export const HELP = { fit4cad, score, fit, export: exportFiles, import: importParts, check, stats, generate };
+export const HELP = { fit4cad, score, fit, export: exportFiles, import: importParts, check, stats, generate, degrade, submit, verify };

@@ -2,8 +2,8 @@
 
 import { createHash } from "node:crypto";
 import { basename, join } from "node:path";
-import { SAMPLE_OPTIONS } from "../../www/generated/declared/sample-options.js";
 import { align } from "../../www/shared/formats/align.mjs";
+import { WEAR } from "../../www/shared/results/wear.mjs";
 import { CALLED, isStep, nameOfPart } from "../../www/shared/step.mjs";
 import { loadCad } from "./cad.mjs";
 import { tell } from "./diagnostics.mjs";
@@ -46,9 +46,6 @@ import { makeFolder, problemOf, writeWhole } from "./write.mjs";
  * @property {Readonly<Record<string, string>>} files SHA-256 of each file written, by its path
  * @property {ImportReport} report
  */
-
-/** What can be done to the points of any model, the seed apart. */
-export const WEAR = SAMPLE_OPTIONS.filter(({ name }) => name !== "spacing" && name !== "seed");
 
 const OPTIONS = /** @type {const} */ ({
   out: { type: "string", default: "." },

@@ -17,6 +17,9 @@ const COMMANDS = {
   check: async () => (await import("./check.mjs")).check,
   stats: async () => (await import("./stats.mjs")).stats,
   generate: async () => (await import("./generate.mjs")).generate,
+  degrade: async () => (await import("./degrade.mjs")).degrade,
+  submit: async () => (await import("./submit.mjs")).submit,
+  verify: async () => (await import("./verify.mjs")).verify,
 };
 
 /** @typedef {keyof typeof COMMANDS} Command */

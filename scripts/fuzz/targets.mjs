@@ -10,6 +10,7 @@ export const NODE_TARGETS = [
   { name: "zip", quick: 10_000, load: async () => (await import("./targets/zip.mjs")).body },
   { name: "link", quick: 1_500, load: async () => (await import("./targets/link.mjs")).load() },
   { name: "formats", quick: 1_500, load: async () => (await import("./targets/formats.mjs")).body },
+  { name: "standing", quick: 1_500, load: async () => (await import("./targets/standing.mjs")).body },
   { name: "cad", quick: 100, load: async () => (await import("./targets/cad.mjs")).load() },
   { name: "boundary", quick: 1_500, load: async () => (await import("./targets/boundary.mjs")).load() },
 ];

@@ -32,15 +32,17 @@ const RUNNING = [
   hashForLink,
 ];
 
-const embedded = new URLSearchParams(location.search).has("embed");
+const embedded = new URLSearchParams(location.search).get("embed");
+// Each on its own: the bundler notes for a call what style sheets come with it.
 const loadEmbed = () => import("./shell/embed");
+const loadEmbeddedResults = () => import("./results/embed");
 
 const root = document.getElementById("app");
 if (root) {
   for (const start of RUNNING) start();
-  if (embedded) {
-    render(<Lazy load={loadEmbed} title="the results" />, root);
-    void openNamed();
+  if (embedded !== null) {
+    render(<Lazy load={embedded === "results" ? loadEmbeddedResults : loadEmbed} title="the results" />, root);
+    if (embedded !== "results") void openNamed();
   } else {
     listenForDrops();
     const first = PAGES.find(({ id }) => id === page.value);

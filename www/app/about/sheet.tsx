@@ -1,14 +1,12 @@
 // What this is, whose work it builds on and how to cite that, what it is licensed under, and what becomes of the
 // reader's data. The words on works come from CITATION.cff.
 
-import type { ComponentChildren, JSX } from "preact";
+import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import citation, { type Work } from "../../../CITATION.cff";
-import { copy } from "../export/download";
+import citation from "../../../CITATION.cff";
 import { engineVersion } from "../export/results";
-import { Icon } from "../ui/icon";
-import { bibtexOf, lineOf } from "./bibtex";
+import { Away, Cited } from "./cited";
 
 const BENCHMARK = "https://github.com/chiararomanengo/Fit4CAD";
 
@@ -72,36 +70,6 @@ function Version(): JSX.Element {
     );
   }, []);
   return <p role="status">Version {version.value ?? citation.version}</p>;
-}
-
-function Cited({ work, what }: { work: Work; what: string }): JSX.Element {
-  const entry = bibtexOf(work);
-  return (
-    <>
-      <p class="work-cited">
-        {lineOf(work)} {work.doi !== undefined && <Away to={`https://doi.org/${work.doi}`}>doi:{work.doi}</Away>}
-      </p>
-      <details>
-        <summary>BibTeX of {what}</summary>
-        <pre tabIndex={0} role="region" aria-label={`BibTeX of ${what}`}>
-          {entry}
-        </pre>
-      </details>
-      <button type="button" onClick={() => void copy(entry, `BibTeX of ${what}`)}>
-        <Icon name="copy" />
-        Copy BibTeX of {what}
-      </button>
-    </>
-  );
-}
-
-/** A link that leaves the page where it is. */
-function Away({ to, children }: { to: string; children: ComponentChildren }): JSX.Element {
-  return (
-    <a href={to} target="_blank" rel="noopener noreferrer">
-      {children}
-    </a>
-  );
 }
 
 function lowered(text: string): string {

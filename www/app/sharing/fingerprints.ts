@@ -40,7 +40,7 @@ async function copiesTruth(files: readonly ModelFile[], method: string): Promise
 }
 
 /** Over what the files hold and what they are, not over what they are called. */
-async function fingerprint(files: readonly HashedFile[]): Promise<Fingerprint | undefined> {
+export async function fingerprint(files: readonly HashedFile[]): Promise<Fingerprint | undefined> {
   if (files.length === 0 || files.some(({ sha256 }) => sha256 === null)) return undefined;
   const lines = files.map(({ role, sha256 }) => `${role} ${sha256}\n`).sort();
   const digest = await crypto.subtle.digest("SHA-256", new TextEncoder().encode(lines.join("")));

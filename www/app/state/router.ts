@@ -5,6 +5,9 @@ import { isShared } from "./fragment";
 
 export const HOME = "score";
 
+/** What one page alone puts into the address. */
+const OF_ONE_PAGE = ["step", "method", "set"];
+
 function fromAddress(): string {
   return new URLSearchParams(location.search).get("page") ?? HOME;
 }
@@ -21,7 +24,7 @@ export function heedHistory(): void {
 /** The address of a page, with everything else of the present address kept but what belongs to the page that is left. */
 export function addressOf(id: string): string {
   const query = new URLSearchParams(location.search);
-  query.delete("step");
+  for (const name of OF_ONE_PAGE) query.delete(name);
   if (id === HOME) query.delete("page");
   else query.set("page", id);
   const search = query.size > 0 ? `?${query}` : "";

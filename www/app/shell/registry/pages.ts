@@ -15,6 +15,7 @@ export interface PageDefinition {
 
 export const PAGES: readonly PageDefinition[] = [
   { id: HOME, title: "Score", showsModels: true, load: () => import("../workspace") },
+  { id: "results", title: "Results", load: () => import("../../results/page") },
   { id: "lessons", title: "Lessons", load: () => import("../../lessons/index") },
   { id: "lesson-score", title: "What a score means", under: "lessons", load: () => import("../../lessons/score/page") },
   { id: "lesson-hough", title: "The Hough transform", under: "lessons", load: () => import("../../lessons/hough/page") },

@@ -1,0 +1,20 @@
+// @ts-check
+// What can be done to the points of a model.
+
+import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
+
+/**
+ * How much of each is done, and the seed that decides where.
+ * @typedef {Readonly<Record<string, number>> & { seed: number }} Wear
+ */
+
+/** What can be done to the points of any model, the seed apart. */
+export const WEAR = SAMPLE_OPTIONS.filter(({ name }) => name !== "spacing" && name !== "seed");
+
+/**
+ * What was done to the points, in words: `noise 0.001, seed 1`.
+ * @param {Wear} wear
+ */
+export function wearWords(wear) {
+  return Object.entries(wear).map(([name, value]) => `${name} ${value}`).join(", ");
+}
