@@ -139,10 +139,10 @@ def test_a_straggler_is_bounded_and_its_worker_started_again(tmp_path):
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
         with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
             start = time.monotonic()
-            summary = many.score([*generated(6), Endless(), *generated(6)[3:]], tmp_path, client=client, batch=2, time_limit=2.0)
-            assert time.monotonic() - start < 120
+            summary = many.score([*generated(6), Endless(), *generated(6)[3:]], tmp_path, client=client, batch=2, time_limit=10.0)
+            assert time.monotonic() - start < 300
             assert summary.models == 10 and summary.failed == 1
-            client.wait_for_workers(2, timeout=60)
+            client.wait_for_workers(2, timeout=180)
     found, _ = rows_of(tmp_path)
     assert "took its worker down" in found["endless", None]["error"]
 

@@ -38,6 +38,9 @@ export function FrontDoor({ sample }: { sample: boolean }): JSX.Element {
           <small>Short lessons with live parts and exercises.</small>
         </li>
       </ul>
+      <p>
+        <PageLink id="results">Who is where: the standing results</PageLink>
+      </p>
       {sample && <p class="hint">Until you drop something, a sample is shown.</p>}
     </section>
   );
