@@ -5,8 +5,8 @@
     npx fit4cad submit CLOUDS found --set test-10 --times times.json --to results/cgal-ransac
 
 CLOUDS is a folder, or the zip of one, with the benchmark's clouds PC1.txt, PC2.txt and so on. What is found goes to
-found/CGAL as a label for each point, to which fit4cad fits surfaces. Printed is the time of each cloud: normals and
-detection, without reading and writing.
+found/CGAL as a label for each point, to which fit4cad fits surfaces. Printed is the processor time of each cloud, one thread:
+normals and detection, without reading and writing.
 
 All parameters are CGAL's own defaults: shapes of at least 1 % of the points, a distance and a gap of at most 1 % of the
 diagonal of the bounding box, normals within acos 0.9, a probability of 1 % to miss the largest shape. With --spacing
@@ -92,9 +92,9 @@ def main():
     times = []
     for name, text in clouds(given.clouds):
         points = [tuple(map(float, row)) for row in ROW.findall(text)]
-        start = time.perf_counter()
+        start = time.process_time()
         found = detect(points, given.spacing)
-        seconds = time.perf_counter() - start
+        seconds = time.process_time() - start
         shapes = len(set(found) - {-1})
         times.append({"model": name, "points": len(points), "seconds": seconds, "primitives": shapes})
         print(f"{name}: {len(points)} points, {shapes} shapes, {seconds:.2f} s", file=sys.stderr)

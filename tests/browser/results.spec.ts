@@ -61,8 +61,9 @@ test("the table is there before anything is dropped: sorted, shaded, compared, a
   // Two methods: what the engine makes of both, model by model.
   await page.locator(".results-page").getByRole("radio", { name: "Definition" }).check({ force: true });
   const pair = page.getByRole("region", { name: "Two methods compared" });
-  await pair.getByLabel("Compare", { exact: true }).selectOption("fit4cad-ht");
-  await pair.getByLabel("with", { exact: true }).selectOption("paper-ht");
+  const [one, other] = [pair.getByRole("combobox").first(), pair.getByRole("combobox").last()];
+  await one.selectOption("fit4cad-ht");
+  await other.selectOption("paper-ht");
   const figures = (entries: SetScores["models"]) => rowsOf(entries.map((entry) => (measure) => entry.definition[measure]));
   const expected = compare(figures(scored("fit4cad-ht").models), figures(models)).find(({ measure }) => measure === "DSC");
   const compared = pair.getByRole("row", { name: /^DSC/ });

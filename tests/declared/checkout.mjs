@@ -9,7 +9,7 @@ import { run, runNode } from "../../scripts/lib/run.mjs";
 const FEATURE = "one-more-measure";
 const CHECKOUT = join(ROOT, "target", FEATURE);
 /** What page and command line are made of, but for what is built. */
-const SOURCES = ["bin", "www", "vite.config.ts", "package.json", "CITATION.cff"];
+const SOURCES = ["bin", "www", "results", "scripts/lib", "vite.config.ts", "package.json", "CITATION.cff"];
 const BUILT = ["bin/engine", "www/generated/engine", "www/generated/scorer", "www/generated/declared", "www/dist"];
 
 /** Key and name of the measure that the feature declares. */

@@ -12,6 +12,11 @@ import { Icon, type IconName } from "../ui/icon";
 import { PageLink } from "../navigation/page-link";
 import { PAGES } from "./registry/pages";
 
+/** Browsers leave a link where it is that is half in sight. */
+function intoSight({ target }: FocusEvent): void {
+  if (target instanceof Element) target.scrollIntoView({ block: "nearest", inline: "nearest" });
+}
+
 export function Header(): JSX.Element {
   return (
     <header class="bar">
@@ -19,7 +24,7 @@ export function Header(): JSX.Element {
         Fit4CAD <span>Playground</span>
       </h1>
       {PAGES.length > 1 && (
-        <nav aria-label="Pages">
+        <nav aria-label="Pages" onFocusIn={intoSight}>
           {PAGES.filter(({ under }) => under === undefined).map(({ id, title }) => (
             <PageLink key={id} id={id} leads={PAGES.some((each) => each.id === page.value && each.under === id)}>
               {title}
