@@ -32,8 +32,9 @@ pub(crate) struct Columns {
     b_range: [f64; 2],
     b_period: Option<f64>,
     a_period: Option<f64>,
-    /// Values of the first coordinate at which bounds cross the start of a column that closes.
-    cuts: Vec<f64>,
+    /// Values of the first coordinate at which bounds cross the start of a column that closes, and
+    /// whether they do so upwards.
+    cuts: Vec<(f64, bool)>,
     /// Whether bounds turn over: their left is the other side.
     turned: bool,
     /// Share of the vote that the winning side had; 1 where none was held.
@@ -92,7 +93,8 @@ impl Columns {
             return None;
         }
         let segments = unrolled(segments, a_range, chart.a.period);
-        let borders = borders(&segments, a_range, strips);
+        let [breaks, _] = chart.breaks();
+        let borders = borders(&segments, &breaks, a_range, strips);
         let lists = lists(&segments, &borders);
         let mut columns = Self {
             segments,
@@ -151,7 +153,7 @@ impl Columns {
         match self.anchor {
             Anchor::Low => false,
             Anchor::High => crossings % 2 == 1,
-            Anchor::Vote => self.base ^ (self.cuts.partition_point(|cut| *cut < a) % 2 == 1),
+            Anchor::Vote => self.base ^ (self.cuts.partition_point(|(cut, _)| *cut < a) % 2 == 1),
         }
     }
 
@@ -177,7 +179,7 @@ impl Columns {
     }
 
     /// Where the bounds cross the start of the columns, of a chart that closes both ways.
-    fn cuts(&self) -> Vec<f64> {
+    fn cuts(&self) -> Vec<(f64, bool)> {
         let Some(period) = self.b_period else {
             return Vec::new();
         };
@@ -189,13 +191,13 @@ impl Columns {
             while at <= first.max(last) {
                 let b = self.b_range[0] + at * period;
                 let share = (b - from[1]) / (to[1] - from[1]);
-                cuts.push(from[0] + (to[0] - from[0]) * share);
+                cuts.push((from[0] + (to[0] - from[0]) * share, last > first));
                 at += 1.0;
             }
         }
         let [start, end] = [self.borders[0], self.borders[self.borders.len() - 1]];
-        cuts.retain(|cut| (start..end).contains(cut));
-        cuts.sort_unstable_by(f64::total_cmp);
+        cuts.retain(|(cut, _)| (start..end).contains(cut));
+        cuts.sort_unstable_by(|x, y| x.0.total_cmp(&y.0));
         cuts
     }
 
@@ -241,6 +243,18 @@ impl Columns {
                     for_outside += width;
                 } else {
                     for_inside += width;
+                }
+            }
+        }
+        if for_inside == for_outside {
+            // Bounds that only run along the columns, as of a torus cut across its tube: going up, the left
+            // is towards smaller a.
+            for (before, (_, rising)) in self.cuts.iter().enumerate() {
+                let inside = before % 2 == 1;
+                if (*rising != self.turned) == inside {
+                    for_outside += 1.0;
+                } else {
+                    for_inside += 1.0;
                 }
             }
         }
@@ -290,11 +304,18 @@ fn unrolled(segments: Vec<Segment>, [low, high]: [f64; 2], period: Option<f64>) 
     all
 }
 
-/// Where strips begin and end: at the ends of all segments, and often enough between.
-fn borders(segments: &[Segment], [low, high]: [f64; 2], [least, most]: Strips) -> Vec<f64> {
+/// Where strips begin and end: at the ends of all segments, where the surface has a break, and often
+/// enough between.
+fn borders(
+    segments: &[Segment],
+    breaks: &[f64],
+    [low, high]: [f64; 2],
+    [least, most]: Strips,
+) -> Vec<f64> {
     let mut borders: Vec<f64> = segments
         .iter()
         .flat_map(|it| [it.from[0], it.to[0]])
+        .chain(breaks.iter().copied())
         .collect();
     borders.retain(|it| *it > low && *it < high);
     borders.extend((0..=least).map(|k| low + (high - low) * k as f64 / least as f64));
