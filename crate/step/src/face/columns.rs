@@ -283,22 +283,26 @@ fn clear_of(segments: &[Segment], low: f64, period: f64) -> f64 {
     widest.1 + 0.5 * widest.0
 }
 
-/// The segments where the chart is looked at: each of a chart that closes once, or twice where it
-/// crosses the border.
+/// The segments where the chart is looked at: each of a chart that closes once, or twice where it meets
+/// the border.
 fn unrolled(segments: Vec<Segment>, [low, high]: [f64; 2], period: Option<f64>) -> Vec<Segment> {
     let Some(period) = period else {
         return segments;
     };
     let mut all = Vec::with_capacity(segments.len());
     for Segment { from, to } in segments {
-        let least = from[0].min(to[0]);
-        let mut shift = -period * ((least - low) / period).floor();
-        while least + shift < high && from[0].max(to[0]) + shift >= low {
+        let (least, most) = (from[0].min(to[0]), from[0].max(to[0]));
+        // A hair more: where one ends at the border but for rounding, it must not fall through.
+        let first = ((low - most) / period - 1e-9).ceil();
+        let last = ((high - least) / period + 1e-9).floor();
+        let mut turn = first;
+        while turn <= last {
+            let shift = turn * period;
             all.push(Segment {
                 from: [from[0] + shift, from[1]],
                 to: [to[0] + shift, to[1]],
             });
-            shift -= period;
+            turn += 1.0;
         }
     }
     all
@@ -352,4 +356,29 @@ fn lists(segments: &[Segment], borders: &[f64]) -> Vec<Vec<u32>> {
         }
     }
     lists
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Once around a surface that closes, and a rounding error farther: the last piece ends just before
+    /// the border at which it belongs, and all of it counts.
+    #[test]
+    fn a_bound_that_ends_a_hair_beyond_the_border_is_kept() {
+        let (low, period) = (-0.045_146_378_366_35, 28.057_281_028_391_35);
+        let end = low - 7e-16;
+        assert!(end < low);
+        let piece = Segment {
+            from: [3.294, 0.0],
+            to: [end, 0.0],
+        };
+        let all = unrolled(vec![piece], [low, low + period], Some(period));
+        let met = |a: f64| {
+            all.iter()
+                .filter(move |it| (it.to[0]..it.from[0]).contains(&a))
+        };
+        assert_eq!(met(1.0).count(), 1);
+        assert_eq!(met(20.0).count(), 0);
+    }
 }
