@@ -11,8 +11,13 @@ let instances = 0;
 
 /** A fresh instance: one that has stopped in the middle of something is of no more use. Throws `NotBuilt`. */
 export async function loadCad() {
+  return (await cadInstance()).cad;
+}
+
+/** The same with its memory, which nothing else grows. */
+export async function cadInstance() {
   instances += 1;
-  /** @type {{ module: Cad }} */
-  const { module } = await instantiate(`${GLUE.href}?instance=${instances}`, WASM);
-  return module;
+  /** @type {{ module: Cad, memory: WebAssembly.Memory }} */
+  const { module: cad, memory } = await instantiate(`${GLUE.href}?instance=${instances}`, WASM);
+  return { cad, memory };
 }

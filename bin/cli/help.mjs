@@ -175,7 +175,9 @@ gzip) in the given files, folders and zips: points that lie exactly on its faces
 the truth of which face each is of, in the benchmark's four files. A file that cannot be read does not
 keep the others from being made; what is left out of a part is told.
 
-${terms((await loadCad()).importOptions().map(({ name, value, explanation }) => [`--${name}${value.kind === "number" ? " N" : value.kind === "choice" ? ` ${value.words[0] ?? ""}` : ""}`, explanation]), 18)}${terms(WEAR.map((info) => [`--${info.name} N`, `${info.explanation} ${capitalised(rangeOf(info))}.`]), 18)}  --out DIR       where the files go (default: the current folder); made if missing
+${terms((await loadCad()).importOptions().map(({ name, value, explanation }) => [`--${name}${value.kind === "number" ? " N" : value.kind === "choice" ? ` ${value.words[0] ?? ""}` : ""}`, explanation]), 18)}${terms(WEAR.map((info) => [`--${info.name} N`, `${info.explanation} ${capitalised(rangeOf(info))}.`]), 18)}  --bodies N,N    only these bodies, by their numbers from 1 in the order of the file (default: all);
+                  a number too many lists those there are
+  --out DIR       where the files go (default: the current folder); made if missing
   --test SHARE    splits the models into DIR/training_set and DIR/test_set, by their names and the seed
   --format table  (default) one row per model
   --format json   (--json) for each model its source and files with their SHA-256, points, primitives of

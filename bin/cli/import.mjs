@@ -50,6 +50,7 @@ import { makeFolder, problemOf, writeWhole } from "./write.mjs";
 const OPTIONS = /** @type {const} */ ({
   out: { type: "string", default: "." },
   test: { type: "string" },
+  bodies: { type: "string" },
   ...FORMAT_OPTIONS,
 });
 
@@ -72,6 +73,7 @@ export async function importParts(args) {
   const format = formatOf(values, ["table", "json"]);
   const options = optionsOf(declared, given);
   const wear = numbersOf(WEAR, given);
+  const bodies = bodiesOf(values.bodies);
   const test = number("test", values.test, { least: 0, most: 1 });
   if (positionals.length === 0) {
     throw new UsageError("give at least one STEP file, or a folder or zip of them");
@@ -83,7 +85,7 @@ export async function importParts(args) {
   const inputs = collect(positionals);
   // What is named outright is tried whatever its name; of folders and zips only what is called like STEP.
   const parts = inputs.files.filter(({ path }) => isStep(path) || positionals.includes(path));
-  const run = new Run(cad, engine, { options, wear, out: values.out, seed: options.seed ?? 1, test });
+  const run = new Run(cad, engine, { options, bodies, wear, out: values.out, seed: options.seed ?? 1, test });
   for (const [at, part] of parts.entries()) {
     progress.show(`importing ${at + 1} of ${parts.length}: ${basename(part.path)}`);
     await run.take(part);
@@ -92,7 +94,7 @@ export async function importParts(args) {
   const problems = [...inputs.diagnostics, ...run.problems];
   if (run.made.length > 1 || test !== undefined) {
     const at = join(values.out, "manifest.json");
-    const text = manifestOf(run.made, { engine: engine.version(), options, wear, test, failed: run.failed });
+    const text = manifestOf(run.made, { engine: engine.version(), options: { ...options, bodies }, wear, test, failed: run.failed });
     const problem = problemOf(() => writeWhole(at, text));
     if (problem !== undefined) problems.push(unusable(at, problem));
   }
@@ -125,6 +127,15 @@ function optionsOf(declared, given) {
   return /** @type {ImportOptions} */ (options);
 }
 
+/**
+ * The numbers of bodies asked for, separated by commas; `undefined` for all.
+ * @param {string | undefined} word
+ */
+function bodiesOf(word) {
+  const expected = { least: 1, most: 4_294_967_295, whole: true };
+  return word?.split(",").flatMap((each) => number("bodies", each.trim(), expected) ?? []);
+}
+
 /** One run of the command: what was made so far, and what went wrong. */
 class Run {
   #cad;
@@ -142,7 +153,7 @@ class Run {
   /**
    * @param {Cad} cad
    * @param {Engine} engine
-   * @param {{ options: ImportOptions, wear: Wear, out: string, seed: number, test: number | undefined }} how
+   * @param {{ options: ImportOptions, bodies: readonly number[] | undefined, wear: Wear, out: string, seed: number, test: number | undefined }} how
    */
   constructor(cad, engine, how) {
     this.#cad = cad;
@@ -174,8 +185,9 @@ class Run {
    * @returns {Made}
    */
   #model(bytes, name) {
-    const { options, wear, seed } = this.#how;
+    const { options, bodies, wear, seed } = this.#how;
     const part = this.#cad.Part.read(bytes);
+    if (bodies !== undefined) part.keep(Uint32Array.from(bodies));
     const sampled = part.sample(name, options);
     const report = sampled.report();
     const files = sampled.files();

@@ -114,6 +114,7 @@ test("what cannot be asked for is said, also in JSON", (t) => {
     [["--points", "3"], /--points 3: expected a whole number from 10/],
     [["--points", "100", "--spacing", "1"], /--points or --spacing, not both/],
     [["--spread", "odd"], /--spread odd: expected even, random/],
+    [["--bodies", "1,x"], /--bodies x: expected a whole number from 1/],
   ])) {
     const { code, out } = fit4cad("import", file, ...args, "--json");
     assert.equal(code, 2);
@@ -122,6 +123,9 @@ test("what cannot be asked for is said, also in JSON", (t) => {
   const { code, err } = fit4cad("import", file, "--spacing", "0.0001", "--out", root);
   assert.equal(code, 1);
   assert.match(err, /spacing must be about [\d.]+ to [\d.]+ mm for this part, not 0\.0001 mm/);
+  const none = fit4cad("import", file, "--bodies", "1,2", "--out", root);
+  assert.equal(none.code, 1);
+  assert.match(none.err, /bodies must be of 1 \(plate, 6 faces\), not 2/);
   const help = fit4cad("import", "--help");
   for (const word of ["--points N", "--spread even", "--separate", "--noise N", "manifest.json"]) assert.ok(help.out.includes(word), word);
 });
@@ -130,6 +134,13 @@ test("real files of several systems become models with as many faces as there ar
   const root = folder(t, {});
   const { out, err } = fit4cad("import", REAL, "--points", "5000", "--out", root, "--json");
   const models = imported(out);
+  const several = join(REAL, "on01_goproled.step");
+  const [one] = imported(fit4cad("import", several, "--bodies", "2", "--points", "500", "--out", root, "--json").out);
+  const all = models.find(({ source }) => source === several);
+  assert.ok(one);
+  assert.ok(all);
+  assert.deepEqual([one.report.bodies, all.report.bodies], [1, 3]);
+  assert.ok(one.report.faces.length < all.report.faces.length && one.report.area < all.report.area);
   const oracle = /** @type {Record<string, { faces: { type: string }[] }>} */ (JSON.parse(readFileSync(join(REAL, "oracle.json"), "utf8")));
   assert.equal(models.length, readdirSync(REAL).filter((name) => /\.ste?p$/.test(name)).length, err);
   for (const { report, source } of models) {

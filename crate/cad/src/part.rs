@@ -42,6 +42,15 @@ impl Part {
         Ok(Self { document })
     }
 
+    /// Keeps some of the bodies, by their numbers from 1 in the order of the file.
+    ///
+    /// # Errors
+    /// If there is no body of a number; the message lists those there are.
+    pub fn keep(&mut self, bodies: &[u32]) -> Result<(), JsError> {
+        let numbers: Vec<usize> = bodies.iter().map(|&number| number as usize).collect();
+        Ok(self.document.keep(&numbers)?)
+    }
+
     /// Makes a model of the part: points that lie exactly on its faces, and the truth.
     ///
     /// # Errors

@@ -1,27 +1,50 @@
 //! What becomes of STEP files, natively: per file the faces, the time, and, where an `oracle.json` lies
-//! beside them (areas by Open Cascade), how areas compare.
+//! beside them (areas by Open Cascade), how areas compare. After `--json`, a line of JSON per file in the
+//! place of words: each face with its points, for other programs to judge.
 
 use std::time::Instant;
 
-use fit4cad_step::{Amount, Document, Options};
+use fit4cad_step::{Amount, Document, Import, Options};
+use serde_json::{Value, json};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    for path in std::env::args().skip(1) {
+    let mut paths: Vec<String> = std::env::args().skip(1).collect();
+    let json = paths.first().is_some_and(|word| word == "--json");
+    if json {
+        paths.remove(0);
+    }
+    for path in paths {
         let bytes = std::fs::read(&path)?;
         let start = Instant::now();
         let document = match Document::read(&bytes, &mut |_| {}) {
             Ok(document) => document,
             Err(error) => {
-                println!("{path}: {error}");
+                if json {
+                    println!("{}", json!({ "path": path, "error": error.to_string() }));
+                } else {
+                    println!("{path}: {error}");
+                }
                 continue;
             }
         };
         let read = start.elapsed().as_secs_f64();
         let options = Options {
-            amount: Amount::Points(20_000),
+            amount: Amount::Points(if json { 2_000 } else { 20_000 }),
+            join: !json,
             ..Options::default()
         };
-        let import = document.sample("part", &options, &mut |_| {})?;
+        let import = match document.sample("part", &options, &mut |_| {}) {
+            Ok(import) => import,
+            Err(error) if json => {
+                println!("{}", json!({ "path": path, "error": error.to_string() }));
+                continue;
+            }
+            Err(error) => return Err(error.into()),
+        };
+        if json {
+            println!("{}", lines_of(&path, &import));
+            continue;
+        }
         let total = start.elapsed().as_secs_f64();
         let report = &import.report;
         println!(
@@ -51,12 +74,39 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// Every face with its points, which follow one another in the order of the faces.
+fn lines_of(path: &str, import: &Import) -> Value {
+    let mut points = import.model.cloud.points().iter();
+    let report = &import.report;
+    let faces = report.faces.iter().map(|face| {
+        let own = points.by_ref().take(face.points);
+        json!({
+            "id": face.face,
+            "instance": face.instance,
+            "surface": face.surface,
+            "type": face.kind.map(|kind| kind.name()),
+            "area": face.area,
+            "remark": face.remark,
+            "points": own.map(|at| [at.x, at.y, at.z]).collect::<Vec<_>>(),
+        })
+    });
+    let faces: Vec<Value> = faces.collect();
+    json!({
+        "path": path,
+        "diagonal": report.diagonal,
+        "bodies": report.bodies,
+        "instances": report.instances,
+        "faces": faces,
+        "doubts": report.doubts(),
+    })
+}
+
 fn compare(
     oracle: &str,
     path: &str,
     report: &fit4cad_step::Report,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    let oracle: serde_json::Value = serde_json::from_str(oracle)?;
+    let oracle: Value = serde_json::from_str(oracle)?;
     let name = std::path::Path::new(path)
         .file_name()
         .and_then(|name| name.to_str());

@@ -133,6 +133,42 @@ impl Document {
         Ok(document)
     }
 
+    /// Keeps some of the bodies, by their numbers from 1 in the order of the file, with all their instances.
+    ///
+    /// # Errors
+    /// [`StepError::OutOfRange`] where there is no body of a number, with those there are.
+    pub fn keep(&mut self, numbers: &[usize]) -> Result<(), StepError> {
+        let unknown = numbers
+            .iter()
+            .find(|&&number| number == 0 || number > self.bodies.len());
+        if unknown.is_some() || numbers.is_empty() {
+            let found = unknown.map_or_else(|| "none".to_owned(), ToString::to_string);
+            return Err(StepError::OutOfRange {
+                what: "bodies",
+                expected: format!("of {}", self.names()),
+                found,
+            });
+        }
+        self.placed
+            .retain(|(body, _)| numbers.contains(&(body + 1)));
+        self.diagonal = self.bounds().diagonal();
+        Ok(())
+    }
+
+    /// The bodies with their numbers, as far as they fit into a message.
+    fn names(&self) -> String {
+        const MOST: usize = 12;
+        let bodies = self.bodies.iter().zip(1..);
+        let mut names: Vec<String> = bodies
+            .take(MOST)
+            .map(|(body, number)| format!("{number} ({}, {} faces)", body.name, body.faces.len()))
+            .collect();
+        if self.bodies.len() > MOST {
+            names.push(format!("… {}", self.bodies.len()));
+        }
+        names.join(", ")
+    }
+
     /// Leaves every instance once: some files list one both as part of an assembly and by itself.
     fn drop_copies(&mut self) {
         let mut kept: BTreeMap<usize, Vec<Motion>> = BTreeMap::new();

@@ -62,8 +62,14 @@ impl File {
         let text = &text[..text.len() - blank.count()];
         let graph = parse(text).or_else(|error| {
             // What the header says matters to nothing: with one that is right the rest may read.
-            let whole = with_plain_header(text).and_then(|text| parse(&text[..]).ok());
-            whole.ok_or_else(|| StepError::Syntax {
+            let whole = with_plain_header(text);
+            let read = whole
+                .as_ref()
+                .and_then(|text| parse(&text[..]).ok())
+                .or_else(|| {
+                    parse(&with_standard_numbers(whole.as_deref().unwrap_or(text))[..]).ok()
+                });
+            read.ok_or_else(|| StepError::Syntax {
                 reason: error.to_string(),
             })
         });
@@ -173,6 +179,37 @@ fn with_plain_header(text: &[u8]) -> Option<Vec<u8>> {
     let mut whole = HEADER.to_vec();
     whole.extend_from_slice(&text[data..]);
     Some(whole)
+}
+
+/// The text with its numbers as the standard writes them: small programs print theirs as their language
+/// does, `1e-05` for `1.E-05`.
+fn with_standard_numbers(text: &[u8]) -> Vec<u8> {
+    let mut whole = Vec::with_capacity(text.len() + text.len() / 16);
+    let mut quoted = false;
+    let (mut digits, mut point) = (false, false);
+    for (at, &byte) in text.iter().enumerate() {
+        quoted ^= byte == b'\'';
+        let follows = text.get(at + 1).copied().unwrap_or(b' ');
+        let exponent = matches!(byte, b'e' | b'E')
+            && (follows.is_ascii_digit() || matches!(follows, b'+' | b'-'));
+        if !quoted && digits && exponent {
+            whole.extend_from_slice(if point { b"E" } else { b".E" });
+            (digits, point) = (false, false);
+            continue;
+        }
+        // A word may hold digits too: a number begins after what is no letter.
+        let before = whole.last().copied().unwrap_or(b' ');
+        let in_word = before.is_ascii_alphabetic() || before == b'_' || before == b'#';
+        if byte.is_ascii_digit() {
+            digits = digits || !in_word;
+        } else if byte == b'.' {
+            point = digits;
+        } else {
+            (digits, point) = (false, false);
+        }
+        whole.push(byte);
+    }
+    whole
 }
 
 /// The attributes of one entity.

@@ -1,5 +1,7 @@
 //! From a document to a model of the benchmark.
 
+use std::collections::BTreeSet;
+
 use fit4cad::cloud::{Cloud, Point};
 use fit4cad::model::{Model, Primitive, Segmentation};
 use fit4cad::sample::MAX_POINTS;
@@ -205,7 +207,10 @@ impl Document {
         Report {
             system: self.system.clone(),
             schema: self.schema.clone(),
-            bodies: self.bodies.len(),
+            bodies: {
+                let placed: BTreeSet<usize> = self.placed.iter().map(|(body, _)| *body).collect();
+                placed.len()
+            },
             instances: self.placed.len(),
             diagonal: self.diagonal,
             area,

@@ -32,8 +32,9 @@ pub(crate) struct Columns {
     b_range: [f64; 2],
     b_period: Option<f64>,
     a_period: Option<f64>,
-    /// Values of the first coordinate at which bounds cross the start of a column that closes.
-    cuts: Vec<f64>,
+    /// Values of the first coordinate at which bounds cross the start of a column that closes, and
+    /// whether they do so upwards.
+    cuts: Vec<(f64, bool)>,
     /// Whether bounds turn over: their left is the other side.
     turned: bool,
     /// Share of the vote that the winning side had; 1 where none was held.
@@ -92,7 +93,8 @@ impl Columns {
             return None;
         }
         let segments = unrolled(segments, a_range, chart.a.period);
-        let borders = borders(&segments, a_range, strips);
+        let [breaks, _] = chart.breaks();
+        let borders = borders(&segments, &breaks, a_range, strips);
         let lists = lists(&segments, &borders);
         let mut columns = Self {
             segments,
@@ -151,7 +153,7 @@ impl Columns {
         match self.anchor {
             Anchor::Low => false,
             Anchor::High => crossings % 2 == 1,
-            Anchor::Vote => self.base ^ (self.cuts.partition_point(|cut| *cut < a) % 2 == 1),
+            Anchor::Vote => self.base ^ (self.cuts.partition_point(|(cut, _)| *cut < a) % 2 == 1),
         }
     }
 
@@ -177,7 +179,7 @@ impl Columns {
     }
 
     /// Where the bounds cross the start of the columns, of a chart that closes both ways.
-    fn cuts(&self) -> Vec<f64> {
+    fn cuts(&self) -> Vec<(f64, bool)> {
         let Some(period) = self.b_period else {
             return Vec::new();
         };
@@ -189,13 +191,13 @@ impl Columns {
             while at <= first.max(last) {
                 let b = self.b_range[0] + at * period;
                 let share = (b - from[1]) / (to[1] - from[1]);
-                cuts.push(from[0] + (to[0] - from[0]) * share);
+                cuts.push((from[0] + (to[0] - from[0]) * share, last > first));
                 at += 1.0;
             }
         }
         let [start, end] = [self.borders[0], self.borders[self.borders.len() - 1]];
-        cuts.retain(|cut| (start..end).contains(cut));
-        cuts.sort_unstable_by(f64::total_cmp);
+        cuts.retain(|(cut, _)| (start..end).contains(cut));
+        cuts.sort_unstable_by(|x, y| x.0.total_cmp(&y.0));
         cuts
     }
 
@@ -244,6 +246,18 @@ impl Columns {
                 }
             }
         }
+        if for_inside == for_outside {
+            // Bounds that only run along the columns, as of a torus cut across its tube: going up, the left
+            // is towards smaller a.
+            for (before, (_, rising)) in self.cuts.iter().enumerate() {
+                let inside = before % 2 == 1;
+                if (*rising != self.turned) == inside {
+                    for_outside += 1.0;
+                } else {
+                    for_inside += 1.0;
+                }
+            }
+        }
         self.base = for_inside > for_outside;
         let total = for_inside + for_outside;
         if total > 0.0 {
@@ -269,32 +283,43 @@ fn clear_of(segments: &[Segment], low: f64, period: f64) -> f64 {
     widest.1 + 0.5 * widest.0
 }
 
-/// The segments where the chart is looked at: each of a chart that closes once, or twice where it
-/// crosses the border.
+/// The segments where the chart is looked at: each of a chart that closes once, or twice where it meets
+/// the border.
 fn unrolled(segments: Vec<Segment>, [low, high]: [f64; 2], period: Option<f64>) -> Vec<Segment> {
     let Some(period) = period else {
         return segments;
     };
     let mut all = Vec::with_capacity(segments.len());
     for Segment { from, to } in segments {
-        let least = from[0].min(to[0]);
-        let mut shift = -period * ((least - low) / period).floor();
-        while least + shift < high && from[0].max(to[0]) + shift >= low {
+        let (least, most) = (from[0].min(to[0]), from[0].max(to[0]));
+        // A hair more: where one ends at the border but for rounding, it must not fall through.
+        let first = ((low - most) / period - 1e-9).ceil();
+        let last = ((high - least) / period + 1e-9).floor();
+        let mut turn = first;
+        while turn <= last {
+            let shift = turn * period;
             all.push(Segment {
                 from: [from[0] + shift, from[1]],
                 to: [to[0] + shift, to[1]],
             });
-            shift -= period;
+            turn += 1.0;
         }
     }
     all
 }
 
-/// Where strips begin and end: at the ends of all segments, and often enough between.
-fn borders(segments: &[Segment], [low, high]: [f64; 2], [least, most]: Strips) -> Vec<f64> {
+/// Where strips begin and end: at the ends of all segments, where the surface has a break, and often
+/// enough between.
+fn borders(
+    segments: &[Segment],
+    breaks: &[f64],
+    [low, high]: [f64; 2],
+    [least, most]: Strips,
+) -> Vec<f64> {
     let mut borders: Vec<f64> = segments
         .iter()
         .flat_map(|it| [it.from[0], it.to[0]])
+        .chain(breaks.iter().copied())
         .collect();
     borders.retain(|it| *it > low && *it < high);
     borders.extend((0..=least).map(|k| low + (high - low) * k as f64 / least as f64));
@@ -331,4 +356,29 @@ fn lists(segments: &[Segment], borders: &[f64]) -> Vec<Vec<u32>> {
         }
     }
     lists
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Once around a surface that closes, and a rounding error farther: the last piece ends just before
+    /// the border at which it belongs, and all of it counts.
+    #[test]
+    fn a_bound_that_ends_a_hair_beyond_the_border_is_kept() {
+        let (low, period) = (-0.045_146_378_366_35, 28.057_281_028_391_35);
+        let end = low - 7e-16;
+        assert!(end < low);
+        let piece = Segment {
+            from: [3.294, 0.0],
+            to: [end, 0.0],
+        };
+        let all = unrolled(vec![piece], [low, low + period], Some(period));
+        let met = |a: f64| {
+            all.iter()
+                .filter(move |it| (it.to[0]..it.from[0]).contains(&a))
+        };
+        assert_eq!(met(1.0).count(), 1);
+        assert_eq!(met(20.0).count(), 0);
+    }
 }

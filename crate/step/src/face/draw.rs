@@ -19,6 +19,11 @@ const GAUSS: [(f64, f64); 3] = [
 
 /// In how many panels the density along the whole of a column is summed up.
 const PANELS: f64 = 12.0;
+/// Strips of free-form faces from which on each is narrow: one column tells what is in it, in a third of
+/// the panels. Bounds of many bends need many strips, and evaluations of free-form surfaces are dear.
+const NARROW: usize = 160;
+/// At about how many places of a free-form face its density is looked at, over the nodes of a panel.
+const MOST_LOOKS: usize = 16_384;
 
 /// How often a draw may fail before the face is given up: each fails less often than not.
 const MOST_TRIES: usize = 4000;
@@ -75,7 +80,10 @@ impl Trimmed {
         let strips = match &chart.shape {
             Shape::Plane(_) | Shape::Cylinder(..) => [1, 8192],
             Shape::Cone(..) | Shape::Sphere(..) | Shape::Torus(_) => [48, 4096],
-            _ => [48, 160],
+            _ => {
+                let [_, breaks] = chart.breaks();
+                [48, (MOST_LOOKS / (breaks.len() + 4)).clamp(NARROW, 2048)]
+            }
         };
         let (off_surface, gap) = (boundary.off_surface, boundary.gap);
         let columns = Columns::of(&chart, boundary, face.same_sense, strips);
@@ -108,14 +116,21 @@ impl Trimmed {
     fn measure(&mut self) {
         let mut found = Vec::new();
         let mut rest = 0.0;
+        let dear = self.chart.shape.cumulative(0.0).is_none();
+        let [_, breaks] = self.chart.breaks();
+        let (nodes, panels) = if dear && self.columns.len() > NARROW {
+            (&[(0.5, 1.0)][..], PANELS / 3.0)
+        } else {
+            (&GAUSS[..], PANELS)
+        };
         for index in 0..self.columns.len() {
             let (from, to) = (self.columns.borders[index], self.columns.borders[index + 1]);
             let mut strip = Strip::default();
             let mut area = 0.0;
-            for (share, weight) in GAUSS {
+            for (share, weight) in nodes {
                 let a = from + (to - from) * share;
                 self.columns.intervals(index, a, &mut found);
-                let (along, most, density) = self.along(a, &found);
+                let (along, most, density) = self.along(a, &found, panels, &breaks);
                 area += weight * (to - from) * along;
                 strip.most = strip.most.max(most);
                 strip.density = strip.density.max(density);
@@ -138,15 +153,15 @@ impl Trimmed {
     }
 
     /// Of a column: area per width, its measure, and the greatest density.
-    fn along(&self, a: f64, intervals: &[[f64; 2]]) -> (f64, f64, f64) {
+    fn along(&self, a: f64, intervals: &[[f64; 2]], most: f64, breaks: &[f64]) -> (f64, f64, f64) {
         let measure: f64 = intervals.iter().map(|it| self.between(it)).sum();
         if self.chart.shape.cumulative(0.0).is_some() {
             return (measure, measure, 1.0);
         }
         let (mut area, mut greatest) = (0.0, 0.0_f64);
-        for [low, high] in intervals {
+        let mut add = |low: f64, high: f64| {
             let share = (high - low) / self.columns.height();
-            let panels = (PANELS * share).ceil().clamp(2.0, PANELS) as usize;
+            let panels = (most * share).ceil().clamp(1.0, most) as usize;
             let width = (high - low) / panels as f64;
             for panel in 0..panels {
                 let start = low + width * panel as f64;
@@ -155,6 +170,26 @@ impl Trimmed {
                     greatest = greatest.max(density);
                     area += weight * width * density;
                 }
+            }
+        };
+        for [low, high] in intervals {
+            // A kink within a panel would spoil it. Columns of charts that close may have gone around.
+            let turn = self.chart.b.wrap(*low) - low;
+            let first = breaks.partition_point(|it| it - turn <= *low);
+            let mut from = *low;
+            for at in breaks[first..].iter().map(|it| it - turn) {
+                if at >= *high {
+                    break;
+                }
+                add(from, at);
+                from = at;
+            }
+            let middle = 0.5 * (from + high);
+            if from == *low {
+                add(from, middle);
+                add(middle, *high);
+            } else {
+                add(from, *high);
             }
         }
         (area, measure, greatest)

@@ -57,6 +57,12 @@ impl Chart {
         self.swapped
     }
 
+    /// Where either coordinate meets a new piece of the surface, between which it is smooth.
+    pub fn breaks(&self) -> [Vec<f64>; 2] {
+        let [u, v] = self.shape.breaks();
+        if self.swapped { [v, u] } else { [u, v] }
+    }
+
     /// The parameters of coordinates, which may have gone around.
     fn parameters(&self, [a, b]: [f64; 2]) -> [f64; 2] {
         let (a, b) = (self.a.wrap(a), self.b.wrap(b));

@@ -1,4 +1,4 @@
-//! Swept surfaces that are of one of the five families.
+//! Swept surfaces that are of one of the five families, and on which side of them their normals are.
 
 use fit4cad::cloud::Vector;
 
@@ -6,8 +6,64 @@ use super::curve::Curve;
 use super::shape::{Ring, Shape};
 use crate::placement::Frame;
 
-/// The surface that a line or circle sweeps along a vector, where it is one of the five families.
-pub(crate) fn extruded(curve: Curve, direction: Vector) -> Shape {
+/// A surface, and whether its normal is against the one that the file means: the same sphere may be
+/// described by a circle turned about its axis that runs up, or down.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Sided {
+    /// The surface.
+    pub shape: Shape,
+    /// Whether its normal is turned over.
+    pub turned: bool,
+}
+
+impl From<Shape> for Sided {
+    fn from(shape: Shape) -> Self {
+        Self {
+            shape,
+            turned: false,
+        }
+    }
+}
+
+/// What a swept surface turns out to be, its normal compared where the curve has its parameter zero: a
+/// whole circle about a place of the axis covers its sphere twice, and the half about zero is meant.
+fn sided(found: Shape, swept: Shape) -> Sided {
+    if found == swept {
+        return swept.into();
+    }
+    let normal = |shape: &Shape, at: [f64; 2]| {
+        let (_, u, v) = shape.at(at);
+        u.cross(&v)
+    };
+    // A line may meet the axis at its zero, and the surface has no normal there.
+    let probes = [0.01, 0.73].map(|t| match swept {
+        Shape::Extruded(..) => [t, 0.0],
+        _ => [0.0, t],
+    });
+    let turned = probes.into_iter().find_map(|probe| {
+        let at = found.invert(&swept.at(probe).0)?;
+        let dot = normal(&found, at).dot(&normal(&swept, probe));
+        (dot != 0.0).then_some(dot < 0.0)
+    });
+    Sided {
+        shape: found,
+        turned: turned.unwrap_or(false),
+    }
+}
+
+/// The surface that a line or circle sweeps along a vector, one of the five families where it is.
+pub(crate) fn extruded(curve: Curve, direction: Vector) -> Sided {
+    let found = family_extruded(curve.clone(), direction);
+    sided(found, Shape::Extruded(curve, direction))
+}
+
+/// The surface that a line or circle sweeps about an axis, one of the five families where it is.
+pub(crate) fn turned(curve: Curve, frame: Frame) -> Sided {
+    let found = family_turned(curve.clone(), frame);
+    sided(found, Shape::Revolved(curve, frame))
+}
+
+fn family_extruded(curve: Curve, direction: Vector) -> Shape {
     let unit = direction.normalize();
     match &curve {
         Curve::Line(origin, along) => {
@@ -26,8 +82,7 @@ pub(crate) fn extruded(curve: Curve, direction: Vector) -> Shape {
     Shape::Extruded(curve, direction)
 }
 
-/// The surface that a line or circle sweeps about an axis, where it is one of the five families.
-pub(crate) fn turned(curve: Curve, frame: Frame) -> Shape {
+fn family_turned(curve: Curve, frame: Frame) -> Shape {
     // Of the lengths at hand: places a billionth of them apart are one.
     const ONE: f64 = 1e-9;
     match &curve {
@@ -76,12 +131,16 @@ pub(crate) fn turned(curve: Curve, frame: Frame) -> Shape {
                 let in_plane =
                     circle.z.dot(&frame.z).abs() < ONE && circle.z.dot(&outward).abs() < ONE;
                 if in_plane {
+                    // Of a circle that cuts the axis, the part about its zero.
+                    let here = frame.enter(&curve.at(0.0).0);
+                    let across = libm::hypot(here[0], here[1]);
+                    let off = |major: f64| (libm::hypot(across - major, here[2] - z) - a).abs();
                     let origin = frame.leave([0.0, 0.0, z]);
                     return Shape::Torus(Ring {
                         frame: Frame { origin, ..frame },
                         major,
                         minor: *a,
-                        inner: false,
+                        inner: *a > major && off(-major) < off(major),
                     });
                 }
             }

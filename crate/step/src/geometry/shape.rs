@@ -117,6 +117,17 @@ impl Shape {
         }
     }
 
+    /// Where both parameters meet a new piece of the surface, ascending.
+    pub fn breaks(&self) -> [Vec<f64>; 2] {
+        match self {
+            Self::Spline(spline) => [spline.u.breaks(), spline.v.breaks()],
+            Self::Extruded(curve, _) => [curve.breaks(), Vec::new()],
+            Self::Revolved(curve, _) => [Vec::new(), curve.breaks()],
+            Self::Offset(basis, _) => basis.breaks(),
+            _ => [Vec::new(), Vec::new()],
+        }
+    }
+
     /// The ranges of both parameters.
     pub fn axes(&self) -> [Axis; 2] {
         let around = Axis::around(-PI, TAU);

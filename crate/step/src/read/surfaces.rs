@@ -7,7 +7,7 @@ use super::curves::{check_weights, degree, multiplicities, uniform};
 use super::{DEEPEST, Reader, too_deep};
 use crate::error::{Got, Trouble};
 use crate::file::{number, reference};
-use crate::geometry::families;
+use crate::geometry::families::{self, Sided};
 use crate::geometry::shape::{Ring, Shape};
 use crate::geometry::spline::{Knots, SplineSurface};
 use crate::placement::{Frame, Motion, vector};
@@ -23,34 +23,34 @@ const SPLINES: [&str; 5] = [
 
 impl Reader<'_> {
     /// Reads a surface.
-    pub fn surface(&self, id: u64) -> Got<Shape> {
+    pub fn surface(&self, id: u64) -> Got<Sided> {
         self.surface_within(id, 0)
     }
 
-    fn surface_within(&self, id: u64, depth: usize) -> Got<Shape> {
+    fn surface_within(&self, id: u64, depth: usize) -> Got<Sided> {
         if depth > DEEPEST {
             return Err(too_deep(id));
         }
         let (file, unit) = (self.file, self.units.length);
         if SPLINES.iter().any(|name| file.is(id, name)) {
-            return self.spline_surface(id);
+            return Ok(self.spline_surface(id)?.into());
         }
         let is = |name| file.is(id, name);
         let fields = file.fields(id)?;
         let frame = || self.frame(fields.reference(1)?);
         let inner = |place| self.surface_within(fields.reference(place)?, depth + 1);
         if is("PLANE") {
-            return Ok(Shape::Plane(frame()?));
+            return Ok(Shape::Plane(frame()?).into());
         }
         if is("CYLINDRICAL_SURFACE") {
-            return Ok(Shape::Cylinder(frame()?, fields.length(2)? * unit));
+            return Ok(Shape::Cylinder(frame()?, fields.length(2)? * unit).into());
         }
         if is("SPHERICAL_SURFACE") {
-            return Ok(Shape::Sphere(frame()?, fields.length(2)? * unit));
+            return Ok(Shape::Sphere(frame()?, fields.length(2)? * unit).into());
         }
         if is("CONICAL_SURFACE") {
             let angle = fields.number(3)? * self.units.angle;
-            return cone(id, frame()?, fields.number(2)? * unit, angle);
+            return Ok(cone(id, frame()?, fields.number(2)? * unit, angle)?.into());
         }
         if is("TOROIDAL_SURFACE") || is("DEGENERATE_TOROIDAL_SURFACE") {
             let (major, minor) = (fields.number(2)?, fields.length(3)?);
@@ -59,14 +59,15 @@ impl Reader<'_> {
             let (major, minor) = (major.abs() * unit, minor * unit);
             let frame = frame()?;
             if major == 0.0 {
-                return Ok(Shape::Sphere(frame, minor));
+                return Ok(Shape::Sphere(frame, minor).into());
             }
-            return Ok(Shape::Torus(Ring {
+            let ring = Ring {
                 frame,
                 major,
                 minor,
                 inner,
-            }));
+            };
+            return Ok(Shape::Torus(ring).into());
         }
         if is("SURFACE_OF_LINEAR_EXTRUSION") {
             let direction = vector(file, fields.reference(2)?)?;
@@ -84,7 +85,10 @@ impl Reader<'_> {
             return Ok(families::turned(self.curve(fields.reference(1)?)?, axis));
         }
         if is("OFFSET_SURFACE") {
-            return Ok(offset(inner(1)?, fields.number(2)? * unit));
+            let Sided { shape, turned } = inner(1)?;
+            let distance = fields.number(2)? * unit;
+            let shape = offset(shape, if turned { -distance } else { distance });
+            return Ok(Sided { shape, turned });
         }
         if is("RECTANGULAR_TRIMMED_SURFACE") || is("CURVE_BOUNDED_SURFACE") {
             // The face has bounds of its own.
@@ -92,7 +96,11 @@ impl Reader<'_> {
         }
         if is("SURFACE_REPLICA") {
             let motion = Motion::read_operator(file, fields.reference(2)?, unit)?;
-            return Ok(inner(1)?.moved(&motion));
+            let Sided { shape, turned } = inner(1)?;
+            return Ok(Sided {
+                shape: shape.moved(&motion),
+                turned,
+            });
         }
         if is("ORIENTED_SURFACE") {
             return inner(2);

@@ -8,6 +8,7 @@ use fit4cad::cloud::Point;
 use super::Reader;
 use crate::error::{Got, Trouble};
 use crate::geometry::edge::Edge;
+use crate::geometry::families::Sided;
 use crate::geometry::shape::Shape;
 
 /// A face as the file describes it.
@@ -77,7 +78,7 @@ impl Reader<'_> {
         if self.file.is(id, "SUBFACE") {
             return Err(Trouble::new(id, "is a part of a face, which is not read"));
         }
-        let shape = self.surface(fields.reference(2)?)?;
+        let Sided { shape, turned } = self.surface(fields.reference(2)?)?;
         let bounds = fields.references(1)?;
         let bounds: Got<Vec<_>> = bounds
             .iter()
@@ -85,7 +86,7 @@ impl Reader<'_> {
             .collect();
         Ok(Face {
             shape,
-            same_sense: fields.flag(3) != Some(false),
+            same_sense: (fields.flag(3) != Some(false)) != turned,
             bounds: bounds?,
         })
     }

@@ -161,15 +161,30 @@ fn evenly(
     for (_, point) in points.iter() {
         cells.add(*point);
     }
+    // With each dart the square of its distance from one that it was too near to: as long as that is
+    // within the distance, nothing needs to be looked for.
+    let mut darts: Vec<(u32, Point, f64)> = darts
+        .into_iter()
+        .map(|(patch, point)| (patch, point, f64::INFINITY))
+        .collect();
     while points.len() < goal && !darts.is_empty() {
-        darts.retain(|(patch, point)| {
+        darts.retain_mut(|(patch, point, apart)| {
             if points.len() >= goal {
                 return false;
             }
-            let free = !cells.any_within(point, distance, |_| true);
+            if *apart < distance * distance {
+                return true;
+            }
+            let mut near = None;
+            let free = !cells.any_within(point, distance, |index| {
+                near = points.get(index);
+                true
+            });
             if free {
                 cells.add(*point);
                 points.push((*patch, *point));
+            } else if let Some((_, other)) = near {
+                *apart = (other - *point).norm_squared();
             }
             !free
         });

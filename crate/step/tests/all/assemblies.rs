@@ -191,3 +191,25 @@ fn assemblies_that_grow_without_end_end_in_a_word() {
         .unwrap();
     assert!(error.to_string().contains("more than"), "{error}");
 }
+
+#[test]
+fn some_bodies_can_be_kept_and_others_are_named() {
+    let mut made = Made::new();
+    let context = made.context;
+    for radius in [1.0, 2.0, 4.0] {
+        ball(&mut made, radius, context);
+    }
+    let mut document = Document::read(made.text().as_bytes(), &mut |_| {}).unwrap();
+    let whole = document.diagonal;
+    let error = document.keep(&[1, 4]).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "bodies must be of 1 (ball, 1 faces), 2 (ball, 1 faces), 3 (ball, 1 faces), not 4"
+    );
+    document.keep(&[2, 1]).unwrap();
+    assert!(document.diagonal < 0.6 * whole);
+    let options = fit4cad_step::Options::default();
+    let found = document.sample("balls", &options, &mut |_| {}).unwrap();
+    assert_eq!((found.report.bodies, found.report.faces.len()), (2, 2));
+    assert!((found.report.area / (20.0 * std::f64::consts::PI) - 1.0).abs() < 1e-6);
+}

@@ -268,6 +268,92 @@ fn lines_and_circles_that_are_swept_are_of_the_five_families() {
     assert!(plain.model.truth.unwrap().primitives.is_empty());
 }
 
+/// An eighth of a sphere: a circle turned about an axis through its centre, whose half about zero runs up
+/// or down the sphere. Turned over, its normal points inwards, and the bounds say so.
+#[test]
+fn a_sphere_swept_by_a_circle_keeps_the_side_of_its_normal() {
+    for (side, same) in [(1.0, true), (-1.0, false)] {
+        let mut made = Made::new();
+        let (origin, up) = (made.point(O), made.direction(Z));
+        let axis = made.add(&format!("AXIS1_PLACEMENT('',#{origin},#{up})"));
+        let circle = made.circle(O, [0.0, -1.0, 0.0], [side, 0.0, 0.0], 2.0);
+        let surface = made.add(&format!("SURFACE_OF_REVOLUTION('',#{circle},#{axis})"));
+        let corners = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
+        let vertices = corners.map(|at| made.vertex(at));
+        let mut edges = Vec::new();
+        for (k, (normal, first)) in [(Z, X), (X, Y), (Y, Z)].into_iter().enumerate() {
+            let arc = made.circle(O, normal, first, 2.0);
+            edges.push((
+                made.edge(vertices[k], vertices[(k + 1) % 3], arc, true),
+                true,
+            ));
+        }
+        let ring = made.ring(&edges);
+        let bound = made.bound(ring, true);
+        let face = made.face(&[bound], surface, same);
+        made.shell(&[face]);
+        check(&made.import(), 2.0 * PI);
+    }
+}
+
+/// A circle that cuts the axis it is turned about, its zero within: the lemon, tip to tip.
+#[test]
+fn a_circle_that_cuts_its_axis_sweeps_the_part_about_its_zero() {
+    let mut made = Made::new();
+    let (origin, up) = (made.point(O), made.direction(Z));
+    let axis = made.add(&format!("AXIS1_PLACEMENT('',#{origin},#{up})"));
+    let circle = made.circle([-3.0, 0.0, 0.0], [0.0, -1.0, 0.0], X, 5.0);
+    let surface = made.add(&format!("SURFACE_OF_REVOLUTION('',#{circle},#{axis})"));
+    let tip = made.vertex([0.0, 0.0, 4.0]);
+    let ring = made.add(&format!("VERTEX_LOOP('',#{tip})"));
+    let bound = made.bound(ring, true);
+    let face = made.face(&[bound], surface, true);
+    made.shell(&[face]);
+    let half = 0.8_f64.asin();
+    check(&made.import(), 20.0 * PI * (4.0 - 3.0 * half));
+}
+
+/// Half a torus, cut across its tube: both bounds run along the columns, and no column crosses one.
+#[test]
+fn a_torus_cut_across_its_tube_is_the_half_to_the_left() {
+    for first in [X, [0.6, 0.8, 0.0]] {
+        for forward in [true, false] {
+            let mut made = Made::new();
+            let frame = made.frame(O, Z, Some(first));
+            let surface = made.add(&format!("TOROIDAL_SURFACE('',#{frame},10.,3.)"));
+            // Seen from outside, both run with smaller y on their left.
+            let near = made.round([10.0, 0.0, 0.0], [0.0, -1.0, 0.0], X, 3.0, !forward);
+            let far = made.round([-10.0, 0.0, 0.0], [0.0, -1.0, 0.0], X, 3.0, !forward);
+            let face = made.face(&[near, far], surface, true);
+            made.shell(&[face]);
+            let found = made.import();
+            check(&found, 2.0 * PI * PI * 30.0);
+            let side = if forward { 1.0 } else { -1.0 };
+            let points = found.model.cloud.points();
+            assert!(points.iter().all(|point| side * point.y > -1e-3));
+        }
+    }
+}
+
+/// A curve with a kink a hundredth of the way along it: areas are summed up piece by piece.
+#[test]
+fn areas_of_swept_curves_are_exact_however_uneven_their_knots_are() {
+    let mut made = Made::new();
+    let (origin, up) = (made.point(O), made.direction(Z));
+    let axis = made.add(&format!("AXIS1_PLACEMENT('',#{origin},#{up})"));
+    let points = [[5.0, 0.0, 0.0], [9.0, 0.0, 0.0], [8.0, 0.0, 10.0]].map(|at| made.point(at));
+    let curve = made.add(&format!(
+        "B_SPLINE_CURVE_WITH_KNOTS('',1,({}),.UNSPECIFIED.,.F.,.F.,(2,1,2),(0.,0.01,1.),.UNSPECIFIED.)",
+        crate::made::list(&points)
+    ));
+    let surface = made.add(&format!("SURFACE_OF_REVOLUTION('',#{curve},#{axis})"));
+    let low = made.round(O, Z, X, 5.0, false);
+    let high = made.round([0.0, 0.0, 10.0], Z, X, 8.0, true);
+    let face = made.face(&[low, high], surface, true);
+    made.shell(&[face]);
+    check(&made.import(), PI * (56.0 + 17.0 * 101.0_f64.sqrt()));
+}
+
 /// A quarter of a cylinder as a rational surface, written part by part; its edges are trimmed and
 /// composite curves.
 #[test]
@@ -421,8 +507,14 @@ fn the_text_may_be_written_in_many_ways() {
         "FILE_NAME('made','',(''),(''),'','tests','');\n",
         "FILE_NAME($,$,$,$,$,$,$);\n",
     );
+    let small = text
+        .replace("1.E0)", "1e+00)")
+        .replace("(0.0,0.0,1.0)", "(0,0e0,1e-00)");
+    assert_ne!(small, text);
     let named = bare.replace("DATA;", "DATA('',('AUTOMOTIVE_DESIGN'));");
-    for text in [&text, &windows, &commented, &tight, &marked, &bare, &named] {
+    for text in [
+        &text, &windows, &commented, &tight, &marked, &bare, &small, &named,
+    ] {
         let document = Document::read(text.as_bytes(), &mut |_| {});
         assert!(document.is_ok(), "{:?}", document.err());
     }

@@ -11,6 +11,8 @@ mod exporters;
 mod hostile;
 mod made;
 #[cfg(not(target_arch = "wasm32"))]
+mod open_cascade;
+#[cfg(not(target_arch = "wasm32"))]
 mod oracle;
 mod readers_faults;
 mod sampling;
