@@ -17,24 +17,23 @@ fn options_of(given: std::collections::BTreeMap<String, f64>) -> PyResult<Option
             let names = OPTIONS.map(|known| known.name).join(", ");
             refused(format!("there is no option `{name}`; there are {names}"))
         })?;
-        if known.whole && value.fract() != 0.0 {
-            return Err(refused(format!(
-                "`{name}` must be a whole number, not {value}"
-            )));
+        let (least, most) = (known.minimum, known.maximum);
+        if !(least..=most).contains(&value) || (known.whole && value.fract() != 0.0) {
+            let kind = if known.whole {
+                "whole number"
+            } else {
+                "number"
+            };
+            let message = format!("`{name}` must be a {kind} from {least} to {most}, not {value}");
+            return Err(refused(message));
         }
-        match name.as_str() {
-            "seed" if (known.minimum..=known.maximum).contains(&value) => {
-                options.seed = value as u64;
-            }
+        match known.name {
+            "seed" => options.seed = value as u64,
             "spacing" => options.spacing = value,
             "noise" => options.noise = value,
             "outliers" => options.outliers = value,
             "missing" => options.missing = value,
-            _ => {
-                let (least, most) = (known.minimum, known.maximum);
-                let message = format!("`{name}` must be from {least} to {most}, not {value}");
-                return Err(refused(message));
-            }
+            _ => return Err(refused(format!("`{name}` cannot be set from Python yet"))),
         }
     }
     Ok(options)

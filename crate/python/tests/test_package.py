@@ -54,7 +54,7 @@ def test_float32_lists_and_strided_arrays_are_points_too():
         (lambda: fit4cad.score(np.zeros((9, 3)), [0] * 9, [0] * 9, {4: "Plane"}), "no point has the label 4"),
         (lambda: fit4cad.score(np.zeros((9, 3)), [0] * 9, [0] * 9, protocol="spfn"), "score_field"),
         (lambda: fit4cad.generate("flunge"), "choose one of bracket"),
-        (lambda: fit4cad.generate("flange", noise=2), "between 0 and"),
+        (lambda: fit4cad.generate("flange", noise=2), "`noise` must be a number from 0 to"),
         (lambda: fit4cad.generate("flange").score("HT"), "no submission of `HT`"),
         (lambda: fit4cad.surface_of("Plane", [1, 2]), "9"),
         (lambda: fit4cad.score_field(np.zeros((9, 3)), [0] * 9, [0] * 9, normalisation="metre"), "choose primitive"),
