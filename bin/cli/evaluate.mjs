@@ -1,6 +1,7 @@
 // From a list of files to reports, one model at a time.
 
 import { createHash } from "node:crypto";
+import { fieldReportOf } from "./field-report.mjs";
 import { shareOut } from "./jobs.mjs";
 import { unusable } from "./inputs.mjs";
 import { eachModel, isOfTruth, unplacedAmong } from "./models.mjs";
@@ -26,7 +27,7 @@ import { eachModel, isOfTruth, unplacedAmong } from "./models.mjs";
 
 /**
  * The same as it can be said to another thread: by a protocol of the benchmark, or what the field reports.
- * @typedef {{ by: { protocol: Protocol } | { scale: import("../engine/engine.js").FigureScale }, overrides: Record<string, import("../engine/engine.js").Override>, self: boolean }} Asked
+ * @typedef {{ by: { protocol: Protocol } | import("./field-report.mjs").FieldAsked, overrides: Record<string, import("../engine/engine.js").Override>, self: boolean }} Asked
  */
 
 /**
@@ -36,14 +37,14 @@ import { eachModel, isOfTruth, unplacedAmong } from "./models.mjs";
  */
 
 /** @typedef {ReturnType<ReturnType<typeof scoredBy>>} Score */
-/** @typedef {import("../engine/engine.js").FieldReport} FieldReport */
+/** @typedef {import("./field-report.mjs").FieldReport} FieldReport */
 
 /**
  * @param {Asked["by"]} by
  * @returns {(model: Model, method: string | undefined) => Score | FieldReport}
  */
 export function reportOf(by) {
-  return "scale" in by ? (model, method) => model.field(method, by.scale) : scoredBy(by.protocol);
+  return "scale" in by ? fieldReportOf(by) : scoredBy(by.protocol);
 }
 
 /**

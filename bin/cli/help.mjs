@@ -8,9 +8,11 @@ import { FITTERS } from "../../www/generated/declared/fitters.js";
 import { MEASURES } from "../../www/generated/declared/measures.js";
 import { NORMALISATIONS } from "../../www/generated/declared/normalisations.js";
 import { PROTOCOLS } from "../../www/generated/declared/protocols.js";
+import { RECOGNITION } from "../../www/generated/declared/recognition.js";
 import { PROTOCOL_DIFFERENCES } from "../../www/generated/declared/protocol-differences.js";
 import { ROLES } from "../../www/generated/declared/roles.js";
 import { SAMPLE_OPTIONS } from "../../www/generated/declared/sample-options.js";
+import { STRATA } from "../../www/generated/declared/strata.js";
 import { FORMATS } from "../../www/shared/formats/index.mjs";
 import { WEAR, wearWords } from "../../www/shared/results/wear.mjs";
 import { CALLED, STEP_FORM } from "../../www/shared/step.mjs";
@@ -55,7 +57,7 @@ Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called
 
 const score = () => `fit4cad score PATH… [--protocol ${PROTOCOL_NAMES}] [--format FORMAT] [--self] [--as …]
 fit4cad score PATH… [--protocol NAME,NAME…] [--measures NAME,NAME…] [--normalisation NAME]
-                    [--epsilon N] [--by size,type] [--format FORMAT] [--self] [--jobs N] [--as …]
+                    [--epsilon N] [--by NAME,NAME…] [--format FORMAT] [--self] [--jobs N] [--as …]
 
 Scores every submission found in the given files, folders and zips against the ground truth found
 beside it. Files belong to one model by their names:
@@ -80,12 +82,14 @@ What the rest of the field reports, beside the benchmark's measures: several pro
 between them, or all. A table of figures, then over several models mean, 95 % interval (bootstrap)
 and quartiles, then method against method with Wilcoxon's test.
 ${terms(OF_FIELD.map(({ key, title, definition, rewards, trap, source }) => [`--protocol ${key}`, `${title}. ${definition} Rewards: ${lower(rewards)} Trap: ${lower(trap)} Read off ${source}.`]), 26)}
-  --measures NAME,NAME…   figures of fit, or all; true and predicted primitives are matched one to one
+${terms([[`--protocol ${RECOGNITION.key}`, `${RECOGNITION.title}'s tables of single segments, also by --by. ${RECOGNITION.definition} Rewards: ${lower(RECOGNITION.rewards)} Trap: ${RECOGNITION.trap} Read off ${RECOGNITION.source}.`]], 26)}  --measures NAME,NAME…   figures of fit, or all; true and predicted primitives are matched one to one
 ${terms(OF_FIT.map(({ key, title, definition, trap, better }) => [`  ${key}`, `${title}; ${better} is better. ${definition} Trap: ${lower(trap)}`]), 26)}
   --normalisation NAME    what lengths are divided by
 ${terms(NORMALISATIONS.map(({ name, meaning }) => [`  ${name}`, `${name === FIGURE_SCALE.normalisation ? "(default) " : ""}${meaning}`]), 26)}  --epsilon N             ε of the coverages in that unit (default ${FIGURE_SCALE.epsilon})
-  --by size,type          also how the true primitives fare by how large they are, or of which type
-
+  --by NAME,NAME…         also how the true primitives fare by what they are, and how the figures come out
+                          by the conditions of their models; noise and share missing are those that
+                          manifest.json of a set declares, where it is among the files
+${terms(STRATA.map(({ name, title, how }) => [`  ${name}`, `${title}. ${how}`]), 26)}
 All formats but the table carry the engine's version, the protocol and the SHA-256 of each file read.
 
 Results go to stdout. What is wrong with the input goes to stderr, with file, line and column; in
@@ -96,6 +100,7 @@ Examples:
   fit4cad score dataset/test_set my_results/pointCloud_primitives_MINE --format csv > scores.csv
   fit4cad score . --protocol published --format json | jq '.[].mean.DSC'
   fit4cad score . --protocol spfn,parsenet,pq --measures all --by size,type
+  fit4cad score set answers --protocol shrec2022,spfn --by noise,missing --format latex
 
 Exit code: 0 all scored, 1 some input unusable, 2 called wrongly.
 `;

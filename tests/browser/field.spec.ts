@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import AxeBuilder from "@axe-core/playwright";
 import { FIGURES } from "../../www/generated/declared/figures.js";
+import { STRATA } from "../../www/generated/declared/strata.js";
 import { expect, open, picture, row, test } from "./support/test";
 import { filesOf, METHOD } from "./support/engine";
 import { dropFiles } from "./support/sharing";
@@ -91,12 +92,57 @@ test("lengths are told in the unit that is chosen, and figures follow", async ({
   await panel.getByLabel("ε").selectOption("0.05");
   await expect(panel.getByRole("columnheader", { name: /P-coverage \(ε = 0\.05/ })).toBeVisible();
   await picture(page, "field-fit");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+});
+
+test("primitives are told apart by what they are and by the conditions of their models, in a chart and tables", async ({ page }) => {
+  await open(page);
+  await dropFiles(page, "mine", files());
+  await expect(row(page, "PC2").first()).toBeVisible();
+  await page.getByRole("tab", { name: "Protocols" }).click();
+  const panel = page.locator(".field-panel");
   await panel.getByRole("radio", { name: "Strata" }).check({ force: true });
-  await expect(panel.getByRole("table")).toHaveCount(2);
+  await panel.getByRole("combobox", { name: "By", exact: true }).selectOption("type");
   await expect(panel.getByRole("row", { name: /^Plane/ }).first()).toBeVisible();
+  // A bar for each row of the table.
+  const rows = await panel.getByRole("table").first().locator("tbody tr").count();
+  await expect(panel.locator(".strata-bars rect")).toHaveCount(rows);
+  // Whatever is measured is told how; figures stand beside it by model.
+  for (const { name, strata, how, isCondition } of STRATA) {
+    await panel.getByRole("combobox", { name: "By", exact: true }).selectOption(name);
+    await expect(panel.locator(".note").first()).toContainText(how);
+    await expect(panel.getByRole("table").first().getByRole("rowheader").first()).toHaveText(new RegExp(`^(${strata.map(escaped).join("|")})$`));
+    await expect(panel.getByRole("table")).toHaveCount(isCondition ? 3 : 1);
+  }
+  await panel.getByRole("combobox", { name: "By", exact: true }).selectOption("noise");
+  await expect(panel.getByRole("row", { name: /^noise < 0\.001 % of the diagonal/ }).first()).toBeVisible();
   await picture(page, "field-strata");
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
 });
+
+test("segments are told by type and measured, of all and by stratum", async ({ page }) => {
+  await open(page);
+  await dropFiles(page, "mine", files());
+  await expect(row(page, "PC2").first()).toBeVisible();
+  await page.getByRole("tab", { name: "Protocols" }).click();
+  const panel = page.locator(".field-panel");
+  await panel.getByRole("radio", { name: "Segments" }).check({ force: true });
+  const exact = panel.getByRole("row", { name: /^EXACT/ }).first();
+  await expect(exact).toContainText("1.0000");
+  for (const head of ["PPV", "NPV", "TPR", "TNR", "ACC", "L2 of parameters (mixed units)"]) {
+    await expect(panel.getByRole("columnheader", { name: head }).first()).toBeVisible();
+  }
+  await panel.getByLabel("Lengths over").selectOption("none");
+  await expect(panel.getByRole("columnheader", { name: "MFE (in the file's units)" }).first()).toBeVisible();
+  await panel.getByRole("combobox", { name: "By", exact: true }).selectOption("type");
+  await expect(panel.getByRole("table").nth(1).getByRole("row", { name: /^Plane/ }).first()).toBeVisible();
+  await picture(page, "field-segments");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+});
+
+function escaped(text: string): string {
+  return text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+}
 
 test("the panel fits a narrow window", async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 800 });

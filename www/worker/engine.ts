@@ -3,7 +3,7 @@
 
 import * as Comlink from "comlink";
 import init, { Model, compare, datasetStatistics, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
-import { comparisonsOf, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
+import { comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
 import { EXPORT_COLOURS } from "../shared/palette.mjs";
 import { stayAlive } from "./alive";
 import { modelOf } from "./input";
@@ -159,7 +159,30 @@ const worker: EngineWorker = {
     return {
       spreads: spreadsOf(whole, reports, figures),
       comparisons: comparisonsOf(whole, reports, figures),
-      strata: { size: strataOf(whole, reports, "size"), type: strataOf(whole, reports, "type") },
+    };
+  },
+
+  async particulars(source, normalisation) {
+    const whole = await wholeEngine();
+    const model = modelOf(whole.Model, source.name, source.files);
+    try {
+      const { hasTruth, methods } = model.info();
+      if (!hasTruth) return { conditions: [], segments: {} };
+      const segments = methods.map((method) => [method, model.segments(method, normalisation)] as const);
+      return { conditions: model.conditions(), segments: Object.fromEntries(segments) };
+    } finally {
+      model.free();
+    }
+  },
+
+  async fieldStrata(reports, by, figures) {
+    const whole = await wholeEngine();
+    return {
+      by,
+      primitives: strataOf(whole, reports, by),
+      figures: spreadsByCondition(whole, reports, by, figures),
+      segments: recognitionOf(whole, reports),
+      segmentsByStratum: recognitionOf(whole, reports, by),
     };
   },
 

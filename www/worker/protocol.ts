@@ -5,7 +5,9 @@
 
 import type {
   Audit,
+  By,
   Comparison,
+  Condition,
   Correction,
   Counted,
   DatasetStatistics,
@@ -26,9 +28,10 @@ import type {
   Role,
   SampleOptions,
   Scores,
+  Segment,
 } from "../generated/engine/engine.js";
 import type { FieldResult } from "../shared/formats/field.mjs";
-import type { comparisonsOf, spreadsOf, strataOf, Stratum } from "../shared/formats/field-sums.mjs";
+import type { Reported, comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
@@ -67,7 +70,23 @@ export interface ScoredModel {
 export interface FieldSums {
   readonly spreads: ReturnType<typeof spreadsOf>;
   readonly comparisons: ReturnType<typeof comparisonsOf>;
-  readonly strata: Readonly<Record<Stratum, ReturnType<typeof strataOf>>>;
+}
+
+/** What takes time beside the figures: the conditions of a model, and its segments with each method's answers. */
+export interface Particulars {
+  readonly conditions: readonly Condition[];
+  readonly segments: Readonly<Record<string, readonly Segment[]>>;
+}
+
+/** The same by strata. */
+export interface FieldStrata {
+  readonly by: By;
+  readonly primitives: ReturnType<typeof strataOf>;
+  /** Of what is a condition of models. */
+  readonly figures: ReturnType<typeof spreadsByCondition>;
+  /** Of all segments, and by stratum. */
+  readonly segments: ReturnType<typeof recognitionOf>;
+  readonly segmentsByStratum: ReturnType<typeof recognitionOf>;
 }
 
 /** One segmentation, as the view draws it and the tables name it. */
@@ -162,6 +181,10 @@ export interface EngineWorker {
   field(source: ModelSource, scale: FigureScale): Promise<readonly FieldReport[]>;
   /** The same of many models, summed up. */
   fieldSums(reports: readonly FieldReport[], figures: readonly Pick<FigureInfo, "key" | "title" | "better">[]): Promise<FieldSums>;
+  /** Conditions and segments of a model; nothing of either where there is no truth. */
+  particulars(source: ModelSource, normalisation: string): Promise<Particulars>;
+  /** Reports with their particulars, by strata. */
+  fieldStrata(reports: readonly Reported[], by: By, figures: readonly Pick<FigureInfo, "key" | "title" | "better">[]): Promise<FieldStrata>;
   /** All of that as a file of an extension. */
   fieldText(results: readonly FieldResult[], scale: FigureScale, extension: string): Promise<string>;
   /** Findings as a compiler prints them, a line each. */

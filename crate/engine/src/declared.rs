@@ -14,7 +14,9 @@ use crate::field::FigureScale;
 use crate::hand_over;
 use crate::input::Role;
 use crate::primitive::SurfaceType;
+use crate::recognition::RecognitionInfo;
 use crate::report::Protocol;
+use crate::strata::StrataInfo;
 
 /// A part of a formula.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
@@ -400,8 +402,11 @@ pub struct Declarations {
     pub normalisations: Vec<NormalisationInfo>,
     /// What is taken for both where nothing is said.
     pub figure_scale: FigureScale,
-    /// How primitives are told apart by their share of a cloud's points, smallest first.
-    pub size_strata: Vec<&'static str>,
+    /// What true primitives are told apart by: first what a primitive has itself, then the conditions of
+    /// its model.
+    pub strata: Vec<StrataInfo>,
+    /// SHREC 2022's tables of segments.
+    pub recognition: RecognitionInfo,
     /// The types of surfaces, simplest first.
     pub surface_types: Vec<SurfaceTypeInfo>,
     /// What stands in the place of a type for a primitive of none of them.
@@ -495,7 +500,8 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
         figures: metrics::Figure::ALL.map(FigureInfo::from).to_vec(),
         normalisations: normalisations.to_vec(),
         figure_scale: metrics::geometry::Scale::default().into(),
-        size_strata: metrics::field::Size::ALL.map(|size| size.name()).to_vec(),
+        strata: metrics::field::By::ALL.map(StrataInfo::from).to_vec(),
+        recognition: metrics::recognition::INFO.into(),
         surface_types: surface_types.to_vec(),
         other_type: surface::OTHER,
         fitters: fit::Method::ALL.map(FitterInfo::from).to_vec(),

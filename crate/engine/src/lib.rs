@@ -36,11 +36,15 @@ mod outcome;
 mod part;
 mod paths;
 mod primitive;
+#[cfg(feature = "workshop")]
+mod recognition;
 mod report;
 #[cfg(feature = "workshop")]
 mod single;
 mod statistics;
 mod stop;
+#[cfg(feature = "workshop")]
+mod strata;
 #[cfg(feature = "workshop")]
 mod studio;
 mod summary;
@@ -82,6 +86,8 @@ pub use outcome::{Counted, Histogram};
 pub use part::SampleOptions;
 pub use paths::{Layout, file_name, path_of};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};
+#[cfg(feature = "workshop")]
+pub use recognition::{Answered, Rates, RecognitionInfo, Segment, rates};
 pub use report::{
     FitMeasures, Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
@@ -90,6 +96,8 @@ pub use single::{SingleInfo, Singles, VerdictInfo};
 pub use statistics::{
     DatasetStatistics, ModelStatistics, Spread, TypeShares, Types, dataset_statistics,
 };
+#[cfg(feature = "workshop")]
+pub use strata::{By, Condition, StrataInfo, declared_condition};
 #[cfg(feature = "workshop")]
 pub use studio::{Block, Losses, Operation, Thin};
 pub use summary::{Distribution, MethodSummary, Scores, summarise};

@@ -3,6 +3,7 @@
 
 import { EXPORTS } from "../../../www/generated/declared/exports.js";
 import { NORMALISATIONS } from "../../../www/generated/declared/normalisations.js";
+import { STRATA } from "../../../www/generated/declared/strata.js";
 import { loadEngineApart } from "../../../bin/cli/engine.mjs";
 import { Bytes } from "../bytes.mjs";
 
@@ -11,6 +12,7 @@ const PARTS = ["plate", "bracket", "nosuch"];
 const SHAPES = ["cuboid", "rounded", "prism", "cylinder", "tube", "cone", "sphere", "torus", "none"];
 const FORMS = [...EXPORTS.map(({ name }) => name), "none"];
 const SCALES = [...NORMALISATIONS.map(({ name }) => name), "other"];
+const CONDITIONS = [...STRATA.map(({ name }) => name), "other"];
 const KINDS = ["plane", "cylinder", "cone", "sphere", "torus", "Plane"];
 
 /** @returns {Promise<import("../targets.mjs").Body>} */
@@ -94,7 +96,7 @@ export async function load() {
       model.numbers();
       if (from.below(2) === 0) model.imperfect(number());
       for (let step = 0; step < 6; step += 1) {
-        switch (from.below(17)) {
+        switch (from.below(19)) {
           case 0: model.score(method(), any(() => from.one(["definition", "published", "other"]))); break;
           case 1: model.write(method()); break;
           case 2: model.primitives(method()); model.members(method()); break;
@@ -111,6 +113,8 @@ export async function load() {
           case 13: model.export(from.one(FORMS), method(), Uint8Array.from(from.list(9, () => from.byte()))); break;
           case 14: model.field(method(), any(() => ({ normalisation: any(() => from.one(SCALES)), epsilon: any(number) }))); break;
           case 15: engine.distribution(numbers()); engine.compareFigures(numbers(), numbers(), from.below(2) === 1); break;
+          case 16: model.conditions(); engine.declaredCondition(any(() => from.one(CONDITIONS)), number()); break;
+          case 17: engine.rates(any(() => model.segments(method(), from.one(SCALES)))); break;
           default: engine.datasetStatistics([any(() => model.statistics())]);
         }
       }

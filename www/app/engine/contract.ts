@@ -3,6 +3,7 @@
 export type {
   AccuracyMeasure,
   Audit,
+  By,
   Comparison,
   Correction,
   Counted,

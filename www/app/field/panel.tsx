@@ -3,38 +3,45 @@
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
 import { NORMALISATIONS } from "../../generated/declared/normalisations.js";
+import { STRATA } from "../../generated/declared/strata.js";
 import type { FieldSums } from "../../worker/protocol";
 import type { FigureInfo } from "../engine/contract";
 import { PageLink } from "../navigation/page-link";
 import { remembered } from "../state/settings";
 import { Choice } from "../ui/choice";
 import { plural } from "../ui/format";
+import { Lazy } from "../ui/lazy";
 import { FIGURES_OF_FIT, PROTOCOLS_OF_FIELD } from "./figures";
 import { MeansTable } from "./means";
 import { PairsTable } from "./pairs";
 import { SaveButtons } from "./save";
-import { answers, current, EPSILONS, epsilon, follow, normalisation, sums } from "./state";
-import { StrataTable } from "./strata";
+import { answers, by, current, EPSILONS, epsilon, follow, normalisation, particulars, sums } from "./state";
 import "./field.css";
 
 const VIEWS = [
   ["protocols", "Protocols"],
   ["fit", "Figures of fit"],
   ["strata", "Strata"],
+  ["segments", "Segments"],
 ] as const;
+
+const loadStrata = () => import("./strata");
+const loadSegments = () => import("./segments");
 
 const view = remembered<(typeof VIEWS)[number][0]>("field", "protocols", VIEWS.map(([id]) => id));
 
 export default function FieldPanel(): JSX.Element {
   useEffect(follow, []);
   const { reports, failed } = answers.value;
-  const progress = current.value.progress.value;
+  const isByStrata = view.value === "strata" || view.value === "segments";
+  const progress = current.value.progress.value ?? (isByStrata ? particulars.value.progress.value : undefined);
   const found = sums.value;
   return (
     <div class="field-panel">
       <div class="panel-tools">
         <Choice label="Show" value={view.value} options={VIEWS} onChange={(to) => (view.value = to)} />
-        {view.value === "fit" && <Scale />}
+        {isByStrata && <Strata />}
+        {view.value !== "protocols" && <Scale hasEpsilon={view.value !== "segments"} />}
         {found && <SaveButtons />}
         {progress && <progress aria-label="Models compared" value={progress.done} max={progress.total} />}
       </div>
@@ -48,7 +55,7 @@ export default function FieldPanel(): JSX.Element {
   );
 }
 
-function Shown({ found: { spreads, comparisons, strata } }: { found: FieldSums }): JSX.Element {
+function Shown({ found: { spreads, comparisons } }: { found: FieldSums }): JSX.Element {
   const scale = { normalisation: normalisation.value, epsilon: Number(epsilon.value) };
   switch (view.value) {
     case "protocols":
@@ -92,12 +99,9 @@ function Shown({ found: { spreads, comparisons, strata } }: { found: FieldSums }
         </>
       );
     case "strata":
-      return (
-        <>
-          <StrataTable by="size" rows={strata.size} />
-          <StrataTable by="type" rows={strata.type} />
-        </>
-      );
+      return <Lazy load={loadStrata} title="Strata" />;
+    case "segments":
+      return <Lazy load={loadSegments} title="Segments" />;
   }
 }
 
@@ -105,7 +109,22 @@ function meaningOf(name: string): string {
   return NORMALISATIONS.find((each) => each.name === name)?.meaning ?? "";
 }
 
-function Scale(): JSX.Element {
+function Strata(): JSX.Element {
+  return (
+    <label>
+      By{" "}
+      <select value={by.value} onChange={(event) => (by.value = STRATA.find(({ name }) => name === event.currentTarget.value)?.name ?? by.peek())}>
+        {STRATA.map(({ name, title }) => (
+          <option key={name} value={name}>
+            {title}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+function Scale({ hasEpsilon }: { hasEpsilon: boolean }): JSX.Element {
   return (
     <>
       <label>
@@ -118,16 +137,18 @@ function Scale(): JSX.Element {
           ))}
         </select>
       </label>
-      <label>
-        ε{" "}
-        <select value={epsilon.value} onChange={(event) => (epsilon.value = event.currentTarget.value)}>
-          {EPSILONS.map((each) => (
-            <option key={each} value={each}>
-              {each}
-            </option>
-          ))}
-        </select>
-      </label>
+      {hasEpsilon && (
+        <label>
+          ε{" "}
+          <select value={epsilon.value} onChange={(event) => (epsilon.value = event.currentTarget.value)}>
+            {EPSILONS.map((each) => (
+              <option key={each} value={each}>
+                {each}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
     </>
   );
 }

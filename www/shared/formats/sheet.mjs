@@ -8,7 +8,7 @@ import { escapedMarkdown } from "./markdown.mjs";
 import { escapedLatex } from "./latex.mjs";
 
 /**
- * @typedef {{ title: string, decimals: number }} Column
+ * @typedef {{ title: string, decimals: number, scientific?: boolean }} Column
  * @typedef {{ labels: readonly string[], values: readonly (number | null)[] }} Row
  * @typedef {{ caption: string, heads: readonly string[], columns: readonly Column[], rows: readonly Row[] }} Sheet
  * @typedef {{ sheets: readonly Sheet[], notes: readonly string[] }} Sheets what is to be said with them: where the figures come from
@@ -21,8 +21,11 @@ export const SHEET_FORMATS = /** @type {const} */ ({ table, csv, latex, markdown
  * @param {number | null | undefined} value
  * @param {Column} column
  */
-function figure(value, { decimals }) {
-  return value === null || value === undefined ? "n/a" : value.toFixed(decimals);
+function figure(value, { decimals, scientific }) {
+  if (value === null || value === undefined) {
+    return "n/a";
+  }
+  return scientific === true ? value.toExponential(decimals) : value.toFixed(decimals);
 }
 
 /**

@@ -70,7 +70,9 @@ impl Bounds {
         for axis in 0..3 {
             let below = self.min[axis] - point[axis];
             let above = point[axis] - self.max[axis];
-            let outside = below.max(above).max(0.0);
+            // No `max`: that also asks what to do with what is no number.
+            let outside = if below > above { below } else { above };
+            let outside = if outside > 0.0 { outside } else { 0.0 };
             sum += outside * outside;
         }
         sum

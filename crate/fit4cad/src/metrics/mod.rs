@@ -8,7 +8,8 @@
 //! [`signed_rank`] say how certain that is, and [`agreement`] compares two answers with each other.
 //!
 //! What the rest of the field reports stands beside these measures: [`segmentation`] scores by its
-//! protocols, [`geometry`] compares surfaces, and [`field`] has both by name.
+//! protocols, [`geometry`] compares surfaces, and [`field`] has both by name, with the strata that
+//! primitives are told apart by; [`recognition`] has SHREC 2022's tables of single segments.
 
 pub mod accuracy;
 pub mod agreement;
@@ -24,6 +25,7 @@ pub mod matching;
 mod measure;
 pub mod outcome;
 mod protocol;
+pub mod recognition;
 pub mod report;
 pub mod segmentation;
 pub mod signed_rank;

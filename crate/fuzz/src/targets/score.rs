@@ -2,9 +2,11 @@
 
 use fit4cad::audit;
 use fit4cad::metrics::comparison::Comparison;
+use fit4cad::metrics::field::Conditions;
 use fit4cad::metrics::geometry::{Normalisation, Scale};
 use fit4cad::metrics::histogram::{Bins, farthest};
 use fit4cad::metrics::outcome::{figure, outcomes};
+use fit4cad::metrics::recognition::recognise;
 use fit4cad::metrics::{
     Distribution, Group, Measure, Protocol, Report, Score, agreement, evaluate, field_report,
     summarise,
@@ -77,7 +79,24 @@ pub const FIELD: Target = Target {
                 for (figure, value) in report.figures.iter() {
                     assert!(value.is_none_or(|value| value >= 0.0), "{figure} {value:?}");
                 }
+                let segments = recognise(&model.cloud, truth, submitted, normalisation);
+                for segment in segments.into_iter().flatten() {
+                    for value in [segment.mfe, segment.hausdorff, segment.parameters] {
+                        assert!(value.is_none_or(|value| value >= 0.0), "{segment:?}");
+                    }
+                }
             }
+        }
+        for truth in [truth, submitted] {
+            let found = Conditions::of(&model.cloud, truth);
+            for value in [found.noise, found.spacing] {
+                assert!(value.is_none_or(|value| value >= 0.0), "{found:?}");
+            }
+            assert!(
+                found
+                    .missing
+                    .is_none_or(|share| (0.0..1.0).contains(&share))
+            );
         }
     },
     seeds: models,

@@ -1,12 +1,16 @@
 //! What the rest of the field reports of a submission, beside the benchmark's measures: scores of the
 //! segmentation by each protocol and figures of fit, by name.
 
+mod conditions;
 mod declared;
+mod strata;
 
 use std::fmt;
 use std::ops::Index;
 
+pub use conditions::Conditions;
 pub use declared::{Figure, FigureGroup, FigureInfo};
+pub use strata::{By, UNKNOWN};
 
 use super::geometry::{self, Geometry, Scale};
 use super::hidden::TypeConfusion;

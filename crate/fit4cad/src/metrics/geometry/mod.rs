@@ -9,9 +9,9 @@ mod parameters;
 #[cfg(test)]
 mod tests;
 
+pub(super) use normalisation::Lengths;
 pub use normalisation::{Normalisation, UnknownNormalisation};
 
-use normalisation::Lengths;
 use parameters::between;
 
 use super::hidden::{MatchedType, TypeConfusion};

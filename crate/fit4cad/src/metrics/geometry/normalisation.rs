@@ -98,7 +98,7 @@ impl FromStr for Normalisation {
 }
 
 /// The length that is 1.
-pub(super) enum Lengths {
+pub(in crate::metrics) enum Lengths {
     /// Of every primitive its own.
     Own,
     /// One for all; `None` where the cloud has no extent.
@@ -106,7 +106,7 @@ pub(super) enum Lengths {
 }
 
 impl Lengths {
-    pub(super) fn of(cloud: &Cloud, normalisation: Normalisation) -> Self {
+    pub(in crate::metrics) fn of(cloud: &Cloud, normalisation: Normalisation) -> Self {
         let bounds = cloud.bounds();
         let whole = match normalisation {
             Normalisation::Primitive => return Self::Own,
@@ -119,7 +119,11 @@ impl Lengths {
     }
 
     /// What lengths at a primitive are divided by.
-    pub(super) fn of_primitive(&self, cloud: &Cloud, primitive: &Primitive) -> Option<f64> {
+    pub(in crate::metrics) fn of_primitive(
+        &self,
+        cloud: &Cloud,
+        primitive: &Primitive,
+    ) -> Option<f64> {
         match self {
             Self::Whole(length) => *length,
             Self::Own => {

@@ -206,23 +206,23 @@ impl Face {
     }
 
     /// Sum of the distances of the points that are its own to the nearest of another. In the order of
-    /// the tree, where a point follows one near it: how far that one's nearest is bounds the search.
+    /// the tree, where a point follows one near it: how far the nearest of that one is bounds the search,
+    /// of faces far apart to a few points beside it.
     fn sum_to(&self, other: &Self, is_own: &[bool]) -> f64 {
-        let (mut found, mut sum) = (Vec::new(), 0.0);
-        let mut before: Option<(&Point, f64)> = None;
+        let mut sum = 0.0;
+        let mut before: Option<&Point> = None;
         for &place in self.tree().order() {
             let place = place as usize;
             let (Some(point), Some(true)) = (self.points.get(place), is_own.get(place)) else {
                 continue;
             };
-            // A distance changes by no more than one moves; the rest is room for rounding.
-            let reach = before.map_or(f64::INFINITY, |(at, distance)| {
-                (distance + nalgebra::distance(at, point)) * (1.0 + 1e-6)
-            });
-            other.tree().nearest(point, 1, reach, |_| true, &mut found);
-            let nearest = found.first().map(|near| near.distance_squared.sqrt());
-            let distance = nearest.unwrap_or(reach);
-            before = Some((point, distance));
+            let bound = before.map_or(f64::INFINITY, |near| nalgebra::distance(near, point));
+            // A little more, so that rounding does not leave out what set the bound.
+            let found = other.tree().closest(point, bound * (1.0 + 1e-6));
+            // None is nearer than a point in the same place.
+            let distance = found.map_or(bound, |near| near.distance_squared.sqrt());
+            let nearest = found.and_then(|near| other.points.get(near.index as usize));
+            before = nearest.or(before);
             sum += distance;
         }
         sum
