@@ -139,19 +139,24 @@ def test_a_straggler_is_bounded_and_its_worker_started_again(tmp_path):
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
         with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
             start = time.monotonic()
-            summary = many.score([*generated(6), Endless(), *generated(6)[3:]], tmp_path, client=client, batch=2, time_limit=10.0)
+            summary = many.score([*generated(6), Endless(), *generated(6)[3:]], tmp_path, client=client, batch=2, time_limit=4.0)
             assert time.monotonic() - start < 300
             assert summary.models == 10 and summary.failed == 1
-            client.wait_for_workers(2, timeout=180)
+            client.wait_for_workers(2, timeout=60)
     found, _ = rows_of(tmp_path)
     assert "took its worker down" in found["endless", None]["error"]
 
 
-def test_a_fit_that_takes_too_long_ends_without_its_worker(client, tmp_path):
+def test_a_fit_that_takes_too_long_is_ended(client, tmp_path):
     slow = many.Generated("towers", "slow", {"spacing": 0.004})
-    summary = many.fit([slow, *generated(2)], tmp_path, client=client, batch=1, time_limit=1.0)
-    assert (summary.models, summary.failed) == (3, 1)
-    assert "longer than 1 s" in rows_of(tmp_path)[0]["slow", None]["error"]
+    summary = many.fit([slow], tmp_path, client=client, batch=1, time_limit=0.2)
+    assert (summary.models, summary.failed) == (1, 1)
+    # By itself where it hears of the limit in time; on a busy machine with its worker.
+    error = rows_of(tmp_path)[0]["slow", None]["error"]
+    assert "longer than 0.2 s" in error or "took its worker down" in error
+    # What failed is tried again, and has all the time it wants.
+    quick = many.Generated("spool", "slow", {"spacing": 0.1})
+    assert many.fit([quick], tmp_path, client=client).failed == 0
 
 
 def test_bags_are_inputs_too_and_what_is_wrong_is_said_at_once(client, tmp_path):
