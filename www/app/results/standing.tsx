@@ -72,9 +72,10 @@ function figureColumn(column: Props["columns"][number], rows: readonly Row[]): C
     numeric: true,
     cell: (row) => {
       const spread = meanIn(row, column);
+      const best = isBest(figure, spread?.mean, means);
       return (
-        <Shaded heat={heat(spread?.mean)}>
-          {isBest(figure, spread?.mean, means) ? <strong>{figure.write(spread?.mean)}</strong> : figure.write(spread?.mean)}
+        <Shaded heat={best ? 1 : heat(spread?.mean)}>
+          {best ? <strong>{figure.write(spread?.mean)}</strong> : figure.write(spread?.mean)}
           {fittedHere(row, set, figure) && <abbr title="The answers came without surfaces; types and distances are of those fitted here">†</abbr>}
           <small class="aside">{intervalOf(figure, spread)}</small>
         </Shaded>
