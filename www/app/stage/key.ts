@@ -22,6 +22,8 @@ const FIGURE: readonly KeyEntry[] = [
   { colour: UNSEGMENTED, text: "not predicted" },
 ];
 
+const REST: KeyEntry = { colour: UNSEGMENTED, text: "of none of these" };
+
 /** Normals of points have no sign: one colour for both directions of an axis. */
 const NORMAL: readonly KeyEntry[] = [
   { colour: "#ff0000", text: "faces ±x" },
@@ -39,7 +41,7 @@ export function fixedKey(mode: ColourMode): readonly KeyEntry[] {
     case "normal":
       return NORMAL;
     case "type":
-      return SURFACE_TYPES.map(({ name }) => ({ colour: typeColour(name), text: name }));
+      return [...SURFACE_TYPES.map(({ name }) => ({ colour: typeColour(name), text: name })), REST];
     case "segments":
     case "distance":
       return [];
