@@ -33,8 +33,8 @@ export function summaryOf(engine, entries, reports) {
   );
   const by = BY.map((protocol) => /** @type {const} */ ([protocol, spreads(MEASURES, (entry, measure) => entry[protocol][measure])]));
   const figures = spreads(FIGURES.map(({ key }) => key), (entry, figure) => entry.figures[figure]);
-  /** @param {"type" | "size"} stratum */
-  const strata = (stratum) => strataOf(engine, reports, stratum).map(({ method: _, ...row }) => row);
+  /** @param {"type" | "size"} which */
+  const strata = (which) => strataOf(engine, reports, which).map(({ stratum, primitives, iou, found }) => ({ stratum, primitives, iou, found }));
   return {
     models: entries.length,
     typeErrors: entries.reduce((sum, { typeErrors }) => sum + typeErrors, 0),
