@@ -53,7 +53,7 @@ test("what is read is listed where data is added", async ({ page }) => {
 test("the primitives of a bare cloud can be saved without a truth", async ({ page }) => {
   await open(page);
   await dropFiles(page, "bare", [{ path: "bare.xyz", text: rows(" ") }]);
-  await expect(page.locator(".models li")).toContainText("bare");
+  await expect(page.locator(".models > ul li")).toContainText("bare");
   await page.getByRole("tab", { name: "Fit" }).click();
   await page.getByRole("button", { name: "Fit bare" }).click();
   await expect(page.locator(".fit")).toContainText("no truth");

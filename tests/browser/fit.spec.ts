@@ -125,7 +125,7 @@ test("a cloud without ground truth is fitted: segmentation and primitives are sh
   const folder = test.info().outputPath("alone");
   await writeAll(folder, filesOf("bracket", "PC5").filter(({ path }) => path === "pointCloud/PC5.txt"));
   await drop(page, [join(folder, "pointCloud/PC5.txt")]);
-  await expect(page.locator(".models li")).toContainText("points only");
+  await expect(page.locator(".models > ul li")).toContainText("points only");
   const panel = await openFit(page);
   await panel.getByRole("button", { name: "Fit PC5", exact: true }).click();
   await expect(fits(page)).toContainText("no truth", FITTED);

@@ -25,7 +25,7 @@ test("loose files dropped together find each other by their names", async ({ pag
   await open(page);
   const paths = files.map(({ path }) => join(folder, path));
   await drop(page, paths.filter((path) => !path.includes(METHOD)));
-  await expect(page.locator(".models li")).toContainText("truth only");
+  await expect(page.locator(".models > ul li")).toContainText("truth only");
   await drop(page, [join(folder, `pointCloud_primitives_${METHOD}`)]);
   await expect(row(page, "PC3")).toContainText(METHOD);
 });
@@ -213,7 +213,7 @@ test("scoring many models can be stopped, what is done stays, and the rest is ta
   await writeAll(folder, files);
   await open(page);
   // Asked from outside, stop may come when all is done.
-  const stopped = page.locator(".models li", { hasText: "stopped" });
+  const stopped = page.locator(".models > ul li", { hasText: "stopped" });
   await page.evaluate(() => {
     const watch = new MutationObserver(() => {
       const heads = [...document.querySelectorAll("table.scores tbody th[scope=row]")];

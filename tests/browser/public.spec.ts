@@ -21,9 +21,9 @@ test("a training model arrives by its number from the public repository", async 
   await sheet.getByLabel("Models", { exact: true }).fill("7");
   await expect(sheet.getByText("1 model, 4 files")).toBeVisible();
   await sheet.getByRole("button", { name: "Download", exact: true }).click();
-  await expect(page.locator(".models li")).toHaveCount(1);
-  await expect(page.locator(".models li")).toContainText("PC7");
-  await expect(page.locator(".models li")).toContainText("truth only");
+  await expect(page.locator(".models > ul li")).toHaveCount(1);
+  await expect(page.locator(".models > ul li")).toContainText("PC7");
+  await expect(page.locator(".models > ul li")).toContainText("truth only");
   await expect(sheet).toBeHidden();
   expect(asked.sort()).toEqual(
     ["", "_implicit", "_parametric", "_primitives"].map((role) => `dataset/training_set/PC7${role}.txt`).sort(),
@@ -53,7 +53,7 @@ test("the link of public models fetches what the sharer looked at, and the rest 
   const link = await linkOf(page);
   asked.length = 0;
   await openLink(page, link);
-  await expect(page.locator(".models li")).toHaveText(/PC4/);
+  await expect(page.locator(".models > ul li")).toHaveText(/PC4/);
   await expect(claims(page).filter({ hasText: "PC4" })).toContainText("verified here");
   expect(asked.every((path) => path.includes("PC4"))).toBe(true);
   await page.getByRole("button", { name: "Download 1 public model" }).click();
@@ -157,8 +157,8 @@ test("a stopped download keeps the models that had arrived", async ({ page }) =>
   await expect(sheet.getByText("4 of 8 files")).toBeVisible();
   await sheet.getByRole("button", { name: "Stop the download" }).click();
   await expect(sheet.locator(".outcome")).toContainText("Download stopped. 1 of 2 taken.");
-  await expect(page.locator(".models li")).toHaveCount(1);
-  await expect(page.locator(".models li")).toContainText("PC1");
+  await expect(page.locator(".models > ul li")).toHaveCount(1);
+  await expect(page.locator(".models > ul li")).toContainText("PC1");
 });
 
 test("a copy of the repository on the page's own host takes its place, a foreign one does not", async ({ page, baseURL }) => {

@@ -31,7 +31,7 @@ test("the list of models searches and sorts, worst first", async ({ page }) => {
   await open(page);
   await drop(page, [folder]);
   await expect(rows(page)).toHaveCount(3);
-  const items = page.locator(".models li");
+  const items = page.locator(".models > ul li");
   await page.getByLabel("Search the models").fill("pc2");
   await expect(items).toHaveCount(1);
   await page.getByLabel("Search the models").fill("");
@@ -191,7 +191,7 @@ test("a ground truth without a submission lists its primitives", async ({ page }
   await writeAll(folder, filesOf("bracket", "PC1").filter(({ path }) => !path.includes("Imperfect")));
   await open(page);
   await drop(page, [folder]);
-  await expect(page.locator(".models li")).toContainText("truth only");
+  await expect(page.locator(".models > ul li")).toContainText("truth only");
   await page.getByRole("tab", { name: "Primitives" }).click();
   const listed = page.locator("table.primitives");
   await expect(listed.locator("caption")).toContainText("in the ground truth");

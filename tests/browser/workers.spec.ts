@@ -35,7 +35,7 @@ for (const how of ["ends", "exhausts"] as const) {
     expect(engine?.url()).toContain("engine");
     if (engine) await spoil(engine, how);
     await drop(page, [folder]);
-    const failed = page.locator(".models li", { hasText: "failed" });
+    const failed = page.locator(".models > ul li", { hasText: "failed" });
     await expect(failed).toHaveCount(1);
     await expect(failed).toContainText(SAYS[how]);
     await expect(rows(page)).toHaveCount(count - 1);
