@@ -5,7 +5,7 @@ import { latest } from "../engine/latest";
 import { clear, contents } from "../state/contents";
 import { bring, brought, overrides } from "../state/inbox";
 import { keeping } from "../state/kept";
-import { madeModels, madeSubmissions } from "../state/made";
+import { madeModels, madeSubmissions, putBackMade } from "../state/made";
 import { notify } from "../state/notices";
 import * as format from "../ui/format";
 import { read, write, type Work } from "./store";
@@ -48,8 +48,7 @@ async function putBack(kept: Work): Promise<void> {
   batch(() => {
     // What has come meanwhile is newer.
     overrides.value = { ...Object.fromEntries(kept.overrides), ...overrides.value };
-    madeModels.value = new Map([...kept.models, ...madeModels.value]);
-    madeSubmissions.value = new Map([...kept.submissions, ...madeSubmissions.value]);
+    putBackMade(kept.models, kept.submissions);
   });
   await bring([...kept.files.values()].filter(({ path }) => !brought.value.has(path)), []);
   notify(`${format.plural(contents.value.length, "model")} of your last visit.`, "info", { title: "Remove everything", run: clear });

@@ -61,16 +61,20 @@ export function removeSubmission(name: string, method: string): void {
   });
 }
 
+/** Has what was made at an earlier time beside what there is now, which is newer. */
+export function putBackMade(models: ReadonlyMap<string, MadeModel>, submissions: ReadonlyMap<string, Submissions>): void {
+  batch(() => {
+    madeModels.value = new Map([...models, ...madeModels.value]);
+    const names = new Set([...submissions.keys(), ...madeSubmissions.value.keys()]);
+    const both = (name: string) => [...(submissions.get(name) ?? []), ...(madeSubmissions.value.get(name) ?? [])];
+    madeSubmissions.value = new Map([...names].map((name) => [name, new Map(both(name))]));
+  });
+}
+
 /** Remembers what was made: the result puts back what has been removed since. */
 export function keepAllMade(): () => void {
-  const before = { models: madeModels.value, submissions: madeSubmissions.value };
-  return () =>
-    batch(() => {
-      madeModels.value = new Map([...before.models, ...madeModels.value]);
-      const names = new Set([...before.submissions.keys(), ...madeSubmissions.value.keys()]);
-      const both = (name: string) => [...(before.submissions.get(name) ?? []), ...(madeSubmissions.value.get(name) ?? [])];
-      madeSubmissions.value = new Map([...names].map((name) => [name, new Map(both(name))]));
-    });
+  const [models, submissions] = [madeModels.value, madeSubmissions.value];
+  return () => putBackMade(models, submissions);
 }
 
 /** Forgets what was made of and for one model. */

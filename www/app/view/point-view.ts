@@ -225,8 +225,7 @@ export class PointView {
 
   /** False where the numbers make no camera; nothing changes then. */
   setCamera(state: CameraState, animated = false): boolean {
-    this.frameAgain = undefined;
-    return this.change((view) => view.set_camera(state, this.animated(animated)));
+    return this.move((view) => view.set_camera(state, this.animated(animated)));
   }
 
   /**
@@ -251,8 +250,7 @@ export class PointView {
   }
 
   lookFrom(standpoint: Standpoint, animated = true): void {
-    this.frameAgain = undefined;
-    this.change((view) => view.look_from(standpoint, this.animated(animated)));
+    this.move((view) => view.look_from(standpoint, this.animated(animated)));
   }
 
   /** Frames the whole cloud. */
@@ -270,26 +268,22 @@ export class PointView {
 
   /** Turns the cloud about the axes of the screen, in radians: to the right, downwards, counter-clockwise. */
   turn(yaw: number, pitch: number, roll = 0): void {
-    this.frameAgain = undefined;
-    this.change((view) => view.turn(yaw, pitch, roll));
+    this.move((view) => view.turn(yaw, pitch, roll));
   }
 
   /** Turns the cloud as if a ball around it were dragged. Pixels of the page, as in all that follows. */
   drag(x0: number, y0: number, x1: number, y1: number): void {
     const ratio = this.ratio;
-    this.frameAgain = undefined;
-    this.change((view) => view.drag(x0 * ratio, this.up(y0), x1 * ratio, this.up(y1)));
+    this.move((view) => view.drag(x0 * ratio, this.up(y0), x1 * ratio, this.up(y1)));
   }
 
   pan(dx: number, dy: number): void {
-    this.frameAgain = undefined;
-    this.change((view) => view.pan(dx * this.ratio, -dy * this.ratio));
+    this.move((view) => view.pan(dx * this.ratio, -dy * this.ratio));
   }
 
   /** Enlarges around a position; around the middle where none is given. */
   zoom(factor: number, x = -1, y = -1): void {
-    this.frameAgain = undefined;
-    this.change((view) => {
+    this.move((view) => {
       if (x >= 0 && y >= 0) view.zoom(factor, x * this.ratio, this.up(y));
       else view.zoom_centre(factor);
     });
@@ -389,6 +383,12 @@ export class PointView {
   invalidate(): void {
     this.stale = true;
     this.schedule();
+  }
+
+  /** Moves the camera elsewhere than to what was framed last. */
+  private move<Result>(act: (view: View) => Result): Result {
+    this.frameAgain = undefined;
+    return this.change(act);
   }
 
   private change<Result>(act: (view: View) => Result): Result {

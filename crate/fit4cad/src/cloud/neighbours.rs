@@ -120,21 +120,34 @@ impl KdTree {
             }
             return;
         }
-        let middle = start + (end - start) / 2;
-        let left = (2 * node + 1, start, middle);
-        let right = (2 * node + 2, middle, end);
-        let to_left = self.boxes[left.0].distance_squared_to(search.query);
-        let to_right = self.boxes[right.0].distance_squared_to(search.query);
-        let ((near, to_near), (far, to_far)) = if to_right < to_left {
-            ((right, to_right), (left, to_left))
-        } else {
-            ((left, to_left), (right, to_right))
-        };
+        let [(near, to_near), (far, to_far)] = self.halves(node, start, end, search.query);
         if to_near <= search.limit {
             self.visit_nearest(near.0, near.1, near.2, search, keep);
         }
         if to_far <= search.limit {
             self.visit_nearest(far.0, far.1, far.2, search, keep);
+        }
+    }
+
+    /// The two halves of a node, as node, start and end, with the squared distances of their boxes from a
+    /// point: the nearer first.
+    #[inline]
+    fn halves(
+        &self,
+        node: usize,
+        start: usize,
+        end: usize,
+        query: &Point,
+    ) -> [((usize, usize, usize), f64); 2] {
+        let middle = start + (end - start) / 2;
+        let left = (2 * node + 1, start, middle);
+        let right = (2 * node + 2, middle, end);
+        let to_left = self.boxes[left.0].distance_squared_to(query);
+        let to_right = self.boxes[right.0].distance_squared_to(query);
+        if to_right < to_left {
+            [(right, to_right), (left, to_left)]
+        } else {
+            [(left, to_left), (right, to_right)]
         }
     }
 
@@ -166,16 +179,7 @@ impl KdTree {
             }
             return;
         }
-        let middle = start + (end - start) / 2;
-        let left = (2 * node + 1, start, middle);
-        let right = (2 * node + 2, middle, end);
-        let to_left = self.boxes[left.0].distance_squared_to(search.query);
-        let to_right = self.boxes[right.0].distance_squared_to(search.query);
-        let ((near, to_near), (far, to_far)) = if to_right < to_left {
-            ((right, to_right), (left, to_left))
-        } else {
-            ((left, to_left), (right, to_right))
-        };
+        let [(near, to_near), (far, to_far)] = self.halves(node, start, end, search.query);
         if to_near < search.limit {
             self.visit_closest(near.0, near.1, near.2, search);
         }

@@ -101,7 +101,7 @@ pub(super) const AFTER_END: Kind = Kind {
     expected: "nothing after `];`",
     hint: "",
 };
-pub(super) const TOO_MANY: Kind = Kind {
+pub(in crate::format) const TOO_MANY: Kind = Kind {
     subject: Subject::File,
     severity: Severity::Error,
     message: "The cloud has too many points; the rest was not read",

@@ -7,7 +7,7 @@
 //! (`examples/reading_speed.rs`).
 
 mod columns;
-mod kinds;
+pub(super) mod kinds;
 mod row;
 mod table;
 

@@ -2,6 +2,7 @@
 
 use crate::cloud::{Cloud, LARGEST, Numbering, Point};
 use crate::diagnostics::Diagnostic;
+use crate::format::cloud::kinds::TOO_MANY;
 use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::{Findings, Kind};
 use crate::format::labels::is_label_value;
@@ -56,7 +57,7 @@ impl<'a> Gather<'a> {
         if self.rows() < MAX_POINTS {
             return true;
         }
-        self.findings.add_whole(&kinds::TOO_MANY, String::new());
+        self.findings.add_whole(&TOO_MANY, String::new());
         false
     }
 

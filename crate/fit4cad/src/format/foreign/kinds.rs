@@ -31,13 +31,6 @@ pub(super) const NO_POINTS: Kind = Kind {
     expected: "",
     hint: "",
 };
-pub(super) const TOO_MANY: Kind = Kind {
-    subject: Subject::File,
-    severity: Severity::Error,
-    message: "The cloud has too many points; the rest was not read",
-    expected: "at most 10,000,000 points",
-    hint: "Thin the cloud",
-};
 pub(super) const CUT_OFF: Kind = Kind {
     subject: Subject::File,
     severity: Severity::Error,
