@@ -120,34 +120,21 @@ impl KdTree {
             }
             return;
         }
-        let [(near, to_near), (far, to_far)] = self.halves(node, start, end, search.query);
+        let middle = start + (end - start) / 2;
+        let left = (2 * node + 1, start, middle);
+        let right = (2 * node + 2, middle, end);
+        let to_left = self.boxes[left.0].distance_squared_to(search.query);
+        let to_right = self.boxes[right.0].distance_squared_to(search.query);
+        let ((near, to_near), (far, to_far)) = if to_right < to_left {
+            ((right, to_right), (left, to_left))
+        } else {
+            ((left, to_left), (right, to_right))
+        };
         if to_near <= search.limit {
             self.visit_nearest(near.0, near.1, near.2, search, keep);
         }
         if to_far <= search.limit {
             self.visit_nearest(far.0, far.1, far.2, search, keep);
-        }
-    }
-
-    /// The two halves of a node, as node, start and end, with the squared distances of their boxes from a
-    /// point: the nearer first.
-    #[inline]
-    fn halves(
-        &self,
-        node: usize,
-        start: usize,
-        end: usize,
-        query: &Point,
-    ) -> [((usize, usize, usize), f64); 2] {
-        let middle = start + (end - start) / 2;
-        let left = (2 * node + 1, start, middle);
-        let right = (2 * node + 2, middle, end);
-        let to_left = self.boxes[left.0].distance_squared_to(query);
-        let to_right = self.boxes[right.0].distance_squared_to(query);
-        if to_right < to_left {
-            [(right, to_right), (left, to_left)]
-        } else {
-            [(left, to_left), (right, to_right)]
         }
     }
 
@@ -168,6 +155,8 @@ impl KdTree {
         })
     }
 
+    /// Descends as [`visit_nearest`](Self::visit_nearest) does. One piece of code for the order of the halves, handed
+    /// back by value, made all figures of the field 5 % slower under wasm.
     fn visit_closest(&self, node: usize, start: usize, end: usize, search: &mut Closest<'_>) {
         if end - start <= LEAF {
             for (slot, point) in (start..end).zip(&self.points[start..end]) {
@@ -179,7 +168,16 @@ impl KdTree {
             }
             return;
         }
-        let [(near, to_near), (far, to_far)] = self.halves(node, start, end, search.query);
+        let middle = start + (end - start) / 2;
+        let left = (2 * node + 1, start, middle);
+        let right = (2 * node + 2, middle, end);
+        let to_left = self.boxes[left.0].distance_squared_to(search.query);
+        let to_right = self.boxes[right.0].distance_squared_to(search.query);
+        let ((near, to_near), (far, to_far)) = if to_right < to_left {
+            ((right, to_right), (left, to_left))
+        } else {
+            ((left, to_left), (right, to_right))
+        };
         if to_near < search.limit {
             self.visit_closest(near.0, near.1, near.2, search);
         }
