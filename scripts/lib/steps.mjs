@@ -31,6 +31,17 @@ const COUNTS = {
   },
 };
 
+/** Where each runner tells once more, at its end, which tests failed and why. */
+const FAULTS = {
+  cargo: /^---- .* stdout ----$[^]*?(?=^(?:---- |failures:$))/gm,
+  node: /^✖ failing tests:$[^]*/gm,
+  playwright: /^ {2}1\) [^]*/gm,
+  pytest: /^=+ FAILURES =+$[^]*/gm,
+};
+
+/** Lines of one step's faults that are told again: the first, which are nearest to the cause. */
+const FAULT_LINES = 60;
+
 // eslint-disable-next-line no-control-regex -- terminal colours
 const COLOUR = /\u001b\[[0-9;]*m/g;
 
@@ -48,7 +59,7 @@ const NOTHING = /(?!)/g;
  * @property {readonly string[]} [needs] names of the steps without which it is not run
  */
 
-/** @typedef {{ name: string, outcome: string, seconds: number, counts?: ReturnType<typeof count> }} StepResult */
+/** @typedef {{ name: string, outcome: string, seconds: number, counts?: ReturnType<typeof count>, faults?: string }} StepResult */
 
 /**
  * Sums what a runner prints.
@@ -62,6 +73,20 @@ export function count(runner, output) {
     [...plain.matchAll(pattern)].reduce((total, [, number]) => total + Number(number), 0);
   const { passed, failed, skipped, repeated } = { repeated: NOTHING, ...COUNTS[runner] };
   return { passed: sum(passed) + sum(repeated), failed: sum(failed), skipped: sum(skipped), repeated: sum(repeated) };
+}
+
+/**
+ * What a failed step has printed of its faults, shortened; where its runner tells none, its last lines.
+ * @param {Runner | undefined} runner
+ * @param {string} output
+ */
+export function faults(runner, output) {
+  const plain = output.replace(COLOUR, "").trimEnd();
+  const told = runner ? [...plain.matchAll(FAULTS[runner])].map(([text]) => text.trimEnd()).join("\n") : "";
+  const lines = (told || plain).split("\n");
+  if (lines.length <= FAULT_LINES) return lines.join("\n");
+  const kept = told ? lines.slice(0, FAULT_LINES) : lines.slice(-FAULT_LINES);
+  return [...kept, `… ${lines.length - FAULT_LINES} lines more above`].join("\n");
 }
 
 /**
@@ -107,8 +132,9 @@ async function runStep(step, results) {
     output = (await step.run()) ?? "";
   } catch (error) {
     outcome = error instanceof Skipped ? "skipped" : "failed";
-    output = error instanceof Failed ? error.output : "";
-    print(String(error instanceof Error ? error.message : error));
+    const message = String(error instanceof Error ? error.message : error);
+    output = (error instanceof Failed && error.output) || message;
+    print(message);
   }
   const counts = step.runner && outcome !== "skipped" ? count(step.runner, output) : undefined;
   const nothing = counts && counts.passed + counts.failed + counts.skipped === 0;
@@ -116,7 +142,13 @@ async function runStep(step, results) {
     outcome = "failed";
     print(`${step.name}: not one test was found`);
   }
-  return { name: step.name, outcome, ...(counts ? { counts } : {}), seconds: (performance.now() - start) / 1000 };
+  return {
+    name: step.name,
+    outcome,
+    ...(counts ? { counts } : {}),
+    ...(outcome === "failed" && output !== "" ? { faults: faults(step.runner, output) } : {}),
+    seconds: (performance.now() - start) / 1000,
+  };
 }
 
 /** @param {ReturnType<typeof count>} counts */
@@ -126,11 +158,14 @@ function written({ passed, failed, skipped, repeated }) {
 }
 
 /**
- * Prints each step's result and duration, then the totals; gives whether all is well.
+ * Prints what failed, each step's result and duration, then the totals; gives whether all is well.
  * @param {readonly StepResult[]} results
  */
 export function summarise(results) {
   const total = { passed: 0, failed: 0, skipped: 0 };
+  for (const { name, faults } of results) {
+    if (faults) console.log(`\n── what failed: ${name}\n${faults}`);
+  }
   console.log("\n── summary");
   for (const { name, outcome, counts, seconds } of results) {
     const tests = counts ? written(counts) : "";
