@@ -9,7 +9,7 @@ import { ROOT, WASM_TARGET, npmCommand } from "./lib/paths.mjs";
 import { testPython } from "./lib/python.mjs";
 import { Plain, main, run, runNode } from "./lib/run.mjs";
 import { circles, tell } from "./lib/rust-modules.mjs";
-import { runSteps, summarise } from "./lib/steps.mjs";
+import { runNodeTests, runSteps, summarise } from "./lib/steps.mjs";
 import { setup } from "./setup.mjs";
 
 const CLIPPY = ["clippy", "--locked", "--quiet"];
@@ -111,24 +111,14 @@ const STEPS = [
     lane: "rust",
     runner: "node",
     needs: ["wasm build"],
-    run: () =>
-      run(
-        process.execPath,
-        ["--test", "--test-reporter", "spec", ...testFiles("tests/node", ".test.mjs")],
-        { capture: true },
-      ),
+    run: () => runNodeTests(testFiles("tests/node", ".test.mjs")),
   },
   {
     name: "one more measure",
     lane: "rust",
     runner: "node",
     needs: ["wasm build"],
-    run: () =>
-      run(
-        process.execPath,
-        ["--test", "--test-reporter", "spec", ...testFiles("tests/declared", ".test.mjs")],
-        { capture: true },
-      ),
+    run: () => runNodeTests(testFiles("tests/declared", ".test.mjs")),
   },
   {
     name: "Python",

@@ -1,11 +1,14 @@
 // Steps of the test run: each timed, its tests counted from what its runner prints.
 
-import { Failed, Plain, marked, print } from "./run.mjs";
+import { Failed, Plain, marked, print, run } from "./run.mjs";
 
 /** A step that cannot be run on this machine, and why: no failure, but told. */
 export class Skipped extends Plain {}
 
-/** How the runners say what came of the tests: cargo and wasm-bindgen, node:test, Playwright, pytest. */
+/**
+ * How the runners say what came of the tests: cargo and wasm-bindgen, node:test, Playwright, pytest. Repeated
+ * ones passed at the second attempt: told, to be looked into, but a busy machine alone fails no run.
+ */
 const COUNTS = {
   cargo: {
     passed: /^test result: .*?(\d+) passed/gm,
@@ -16,12 +19,13 @@ const COUNTS = {
     passed: /^\S+ pass (\d+)$/gm,
     failed: /^\S+ (?:fail|cancelled) (\d+)$/gm,
     skipped: /^\S+ (?:skipped|todo) (\d+)$/gm,
+    // Said by `runNodeTests`, not by Node.
+    repeated: /^\S+ repeated (\d+)$/gm,
   },
   playwright: {
     passed: /^ +(\d+) passed/gm,
     failed: /^ +(\d+) (?:failed|interrupted|did not run)/gm,
     skipped: /^ +(\d+) skipped/gm,
-    // Passed at the second attempt: told, to be looked into, but a busy machine alone fails no run.
     repeated: /^ +(\d+) flaky/gm,
   },
   pytest: {
@@ -38,6 +42,9 @@ const FAULTS = {
   playwright: /^ {2}1\) [^]*/gm,
   pytest: /^=+ FAILURES =+$[^]*/gm,
 };
+
+/** Where more files fail than this, it is no accident. */
+const MOST_REPEATED = 2;
 
 /** Lines of one step's faults that are told again: the first, which are nearest to the cause. */
 const FAULT_LINES = 60;
@@ -87,6 +94,32 @@ export function faults(runner, output) {
   if (lines.length <= FAULT_LINES) return lines.join("\n");
   const kept = told ? lines.slice(0, FAULT_LINES) : lines.slice(-FAULT_LINES);
   return [...kept, `… ${lines.length - FAULT_LINES} lines more above`].join("\n");
+}
+
+/**
+ * Runs files of tests under Node; those that fail are run once more, alone. Gives the output to count tests in.
+ * @param {readonly string[]} files
+ */
+export async function runNodeTests(files) {
+  const tests = (/** @type {readonly string[]} */ of) => run(process.execPath, ["--test", "--test-reporter", "spec", ...of], { capture: true });
+  try {
+    return await tests(files);
+  } catch (error) {
+    const again = error instanceof Failed ? failedFiles(error.output) : [];
+    if (again.length === 0 || again.length > MOST_REPEATED) throw error;
+    print(`\n── once more: ${again.join(", ")}`);
+    await tests(again);
+    return /** @type {Failed} */ (error).output.replaceAll(/^(\S+) fail (\d+)$/gm, "$1 repeated $2");
+  }
+}
+
+/**
+ * Where the tests are that Node says have failed.
+ * @param {string} output
+ */
+export function failedFiles(output) {
+  const places = faults("node", output).matchAll(/^test at (.+):\d+:\d+$/gm);
+  return [...new Set([...places].flatMap(([, path]) => path ?? []))];
 }
 
 /**
@@ -146,7 +179,7 @@ async function runStep(step, results) {
     name: step.name,
     outcome,
     ...(counts ? { counts } : {}),
-    ...(outcome === "failed" && output !== "" ? { faults: faults(step.runner, output) } : {}),
+    ...((outcome === "failed" || counts?.repeated) && output !== "" ? { faults: faults(step.runner, output) } : {}),
     seconds: (performance.now() - start) / 1000,
   };
 }
@@ -163,8 +196,8 @@ function written({ passed, failed, skipped, repeated }) {
  */
 export function summarise(results) {
   const total = { passed: 0, failed: 0, skipped: 0 };
-  for (const { name, faults } of results) {
-    if (faults) console.log(`\n── what failed: ${name}\n${faults}`);
+  for (const { name, outcome, faults } of results) {
+    if (faults) console.log(`\n── what failed${outcome === "ok" ? " at first" : ""}: ${name}\n${faults}`);
   }
   console.log("\n── summary");
   for (const { name, outcome, counts, seconds } of results) {

@@ -192,6 +192,10 @@ test("a scores.json that a stranger sent is read key by key", async (t) => {
   assert.match(changed((all) => all.sets[0].models.push(all.sets[0].models[0])), /PC1: stands here more than once/);
   assert.match(changed((all) => (all.sets[0].models[0].model = "<img src=x>")), /there is no <img src=x> in the set/);
   assert.match(changed((all) => (all.sets[0].models[0].definition.DSC = "1")), /definition\.DSC: expected a number, found "1"/);
+  const huge = (/** @type {string} */ key) => told(readScores(text.replace(new RegExp(`"${key}": ?[-\\d.]+`), `"${key}":1e999`), sets).findings);
+  assert.match(huge("DSC"), /definition\.DSC: expected a number, found Infinity/);
+  assert.match(huge("mean"), /mean: expected a number, found Infinity/);
+  assert.match(huge("epsilon"), /epsilon: expected a number of at least 0 and of at most 1000000, found Infinity/);
   assert.match(changed((all) => (all.sets[0].models[0].inputs.cloud = "../../etc/passwd")), /inputs\.cloud: expected a SHA-256/);
   assert.match(changed((all) => (all.sets[0].set = "other")), /expected made-up, made-up-noise, found "other"/);
   assert.match(changed((all) => (all.sets[0].summary.definition.BEST = null)), /"BEST": there is no such key here/);

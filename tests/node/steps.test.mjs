@@ -2,7 +2,11 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { count, faults } from "../../scripts/lib/steps.mjs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { marked } from "../../scripts/lib/run.mjs";
+import { count, failedFiles, faults, runNodeTests } from "../../scripts/lib/steps.mjs";
 
 const CARGO = `
 running 2 tests
@@ -82,4 +86,27 @@ test("of a step that tells no faults, or too many, so much is told as is read", 
   const first = faults("node", `✖ failing tests:\n${many}`).split("\n");
   assert.equal(first[1], "line 0");
   assert.equal(first.length, 61);
+});
+
+test("a file of tests that passes once it is run alone fails no run, and is told", async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), "fit4cad-steps-"));
+  t.after(() => rmSync(folder, { recursive: true, force: true }));
+  /** @param {string} name @param {string} body */
+  const file = (name, body) => {
+    const path = join(folder, `${name}.test.mjs`);
+    writeFileSync(path, `import { test } from "node:test";\nimport fs from "node:fs";\ntest("${name}", () => {${body}});\n`);
+    return path;
+  };
+  const mark = JSON.stringify(join(folder, "mark"));
+  const flaky = file("flaky", `if (!fs.existsSync(${mark})) { fs.writeFileSync(${mark}, ""); throw new Error("busy"); }`);
+  const well = file("well", "");
+  // Else Node takes what is run below for a part of this run.
+  delete process.env.NODE_TEST_CONTEXT;
+  // And what they print for what this run says of itself.
+  const within = (/** @type {string[]} */ files) => marked("│ ", () => runNodeTests(files));
+  const output = await within([flaky, well]);
+  assert.deepEqual(count("node", output), { passed: 2, failed: 0, skipped: 0, repeated: 1 });
+  assert.match(faults("node", output), /Error: busy/);
+  await assert.rejects(within([file("broken", 'throw new Error("always");'), well]));
+  assert.deepEqual(failedFiles(NODE), ["tests/node/fit.test.mjs"]);
 });

@@ -15,7 +15,9 @@ const SHOWN = 60;
  * @param {unknown} value
  */
 export function shown(value) {
-  const text = value === undefined ? "nothing" : typeof value === "bigint" ? String(value) : JSON.stringify(value);
+  // JSON has no word for numbers beyond the largest: `1e999` is read as infinite, and would be written as null.
+  const plain = typeof value === "bigint" || typeof value === "number";
+  const text = value === undefined ? "nothing" : plain ? String(value) : JSON.stringify(value);
   return oneLine(text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text);
 }
 
@@ -111,12 +113,14 @@ export class Checking {
   }
 
   /**
+   * A finite number.
    * @param {string} key
    * @param {{ least?: number, most?: number, whole?: boolean }} range
    */
   number(key, { least = -Infinity, most = Infinity, whole = false } = {}) {
     const value = this.value(key);
-    if (typeof value === "number" && value >= least && value <= most && (!whole || Number.isSafeInteger(value))) return value;
+    const fits = typeof value === "number" && Number.isFinite(value) && value >= least && value <= most;
+    if (fits && (!whole || Number.isSafeInteger(value))) return value;
     const range = [least > -Infinity ? ` of at least ${least}` : "", most < Infinity ? ` of at most ${most}` : ""];
     this.tell(key, `expected a ${whole ? "whole " : ""}number${range.filter((part) => part).join(" and")}, found ${shown(value)}`);
     return 0;

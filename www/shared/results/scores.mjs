@@ -196,7 +196,7 @@ function checkSpread(table, key) {
   spread.only(SPREAD);
   for (const part of SPREAD.filter((name) => name !== "interval")) spread.number(part);
   const interval = spread.value("interval");
-  const isPair = Array.isArray(interval) && interval.length === 2 && interval.every((end) => typeof end === "number");
+  const isPair = Array.isArray(interval) && interval.length === 2 && interval.every((end) => Number.isFinite(end));
   if (interval !== null && !isPair) spread.tell("interval", "expected two numbers, or null");
 }
 

@@ -64,6 +64,12 @@ impl Bounds {
         self.size().max()
     }
 
+    /// Whether a point is in the box or on its sides.
+    #[must_use]
+    pub fn contains(&self, point: &Point) -> bool {
+        (0..3).all(|k| self.min[k] <= point[k] && point[k] <= self.max[k])
+    }
+
     /// Squared distance of a point to the nearest of the box; 0 within.
     pub fn distance_squared_to(&self, point: &Point) -> f64 {
         let mut sum = 0.0;

@@ -286,17 +286,30 @@ mod tests {
         assert_eq!((x, y, z), (-Vector::z(), Vector::x(), -Vector::y()));
     }
 
+    /// Else the time grows with the square of their number, and the choice of edges with the cube.
     #[test]
-    fn blocks_at_one_place_are_as_one_and_cost_no_more_for_each_pair() {
-        let alone = made(&[block(Shape::Cuboid)]);
-        let many = made(&vec![block(Shape::Cuboid); 17]);
-        assert_eq!(types(&many), types(&alone));
-        let [alone, many] = [alone, many].map(|model| model.cloud.len());
-        // Points are drawn for each face, and kept where none is near: of faces on one another, a few more.
-        assert!(
-            many.abs_diff(alone) * 10 < alone,
-            "{many} and {alone} points"
+    fn of_equal_blocks_the_last_alone_counts() {
+        let [cuboid, sphere] = [Shape::Cuboid, Shape::Sphere].map(block);
+        let cut = Block {
+            operation: Operation::Cut,
+            ..block(Shape::Cylinder)
+        };
+        assert_eq!(
+            made(&vec![cuboid.clone(); 17]),
+            made(std::slice::from_ref(&cuboid))
         );
+        let mut many = Vec::new();
+        for _ in 0..8 {
+            many.extend([cut.clone(), cuboid.clone(), sphere.clone()]);
+        }
+        many.push(cut.clone());
+        assert_eq!(made(&many), made(&[cuboid.clone(), sphere, cut.clone()]));
+        let gone = Block {
+            operation: Operation::Cut,
+            ..cuboid.clone()
+        };
+        let part = compose(&[cuboid, gone]).unwrap();
+        assert!(build("gone", &part, &COARSE).is_err());
     }
 
     #[test]

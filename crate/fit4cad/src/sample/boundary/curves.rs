@@ -4,7 +4,7 @@
 use nalgebra::Point2;
 
 use super::super::blocks::Sweep;
-use super::face::{Chart, Domain, Face};
+use super::face::{Chart, Domain};
 use super::{Boundary, overlap, tolerance};
 use crate::cloud::{Point, Vector};
 
@@ -75,16 +75,11 @@ impl Curve {
     }
 }
 
-/// All curves that may hold edges, found at least as finely as the given step. Of solids that are
-/// equal the first speaks for all: of n of them, two faces would meet n² times in one curve.
+/// All curves that may hold edges, found at least as finely as the given step.
 pub fn curves(boundary: &Boundary, step: f64) -> Vec<Curve> {
     let mut curves = own_curves(boundary);
-    let faces = boundary.faces.iter().enumerate();
-    let faces: Vec<(usize, &Face)> = faces
-        .filter(|(_, face)| boundary.is_first[face.solid])
-        .collect();
-    for (place, &(first, a)) in faces.iter().enumerate() {
-        for &(second, b) in &faces[place + 1..] {
+    for (first, a) in boundary.faces.iter().enumerate() {
+        for (second, b) in boundary.faces.iter().enumerate().skip(first + 1) {
             let apart = a.solid == b.solid || a.carrier == b.carrier;
             if !apart && overlap(&a.bounds, &b.bounds) {
                 curves.extend(meetings(boundary, [first, second], step));
@@ -97,9 +92,6 @@ pub fn curves(boundary: &Boundary, step: f64) -> Vec<Curve> {
 fn own_curves(boundary: &Boundary) -> Vec<Curve> {
     let mut curves = Vec::new();
     for (solid, placed) in boundary.solids.iter().enumerate() {
-        if !boundary.is_first[solid] {
-            continue;
-        }
         let ends: &[f64] = &[0.0, placed.span()];
         for (segment, shape) in placed.segments.iter().enumerate() {
             let corner = shape.ends()[0];

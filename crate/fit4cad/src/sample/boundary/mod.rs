@@ -29,9 +29,8 @@ mod tolerance {
 /// The faces of all solids of a part, with what decides about their points.
 #[derive(Debug, Clone)]
 pub struct Boundary {
+    /// Those that decide about points: no two are equal.
     pub solids: Vec<Placed>,
-    /// For each solid whether none before it is equal.
-    pub is_first: Vec<bool>,
     pub faces: Vec<Face>,
     /// Number of different surfaces; each free-form face counts as one.
     pub carriers: usize,
@@ -50,7 +49,13 @@ impl Boundary {
                 feature: index + 1,
                 reason,
             };
-            solids.push(placed.map_err(invalid)?);
+            let placed = placed.map_err(invalid)?;
+            // Equal solids hold the same points, about all of which the last has the say. Two faces of n
+            // equal ones would meet n² times in one curve.
+            let mut later = part.features.iter().skip(index + 1);
+            if later.all(|other| other.solid != feature.solid) {
+                solids.push(placed);
+            }
         }
         let mut faces = Vec::new();
         for (index, placed) in solids.iter().enumerate() {
@@ -68,15 +73,8 @@ impl Boundary {
             all.add(&face.bounds.max);
             all
         });
-        let features = part.features.iter().enumerate();
-        let is_first = features.map(|(index, feature)| {
-            let mut before = part.features.iter().take(index);
-            before.all(|other| other.solid != feature.solid)
-        });
-        let is_first = is_first.collect();
         let mut boundary = Self {
             solids,
-            is_first,
             faces,
             carriers: 0,
             diagonal: overall.diagonal(),
@@ -179,7 +177,7 @@ impl Boundary {
         let aside = tolerance::ASIDE * self.diagonal;
         let touches = |&index: &usize| {
             let face = &self.faces[index];
-            if !within(&face.bounds, point) {
+            if !face.bounds.contains(point) {
                 return false;
             }
             let solid = &self.solids[face.solid];
@@ -263,8 +261,4 @@ fn meet(a: &FaceFoot, b: &FaceFoot) -> Vector {
 
 fn overlap(a: &Bounds, b: &Bounds) -> bool {
     (0..3).all(|k| a.min[k] <= b.max[k] && b.min[k] <= a.max[k])
-}
-
-fn within(bounds: &Bounds, point: &Point) -> bool {
-    (0..3).all(|k| bounds.min[k] <= point[k] && point[k] <= bounds.max[k])
 }

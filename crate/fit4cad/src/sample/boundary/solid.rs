@@ -185,6 +185,10 @@ impl Placed {
 
     /// Whether a point of space is in the solid.
     pub fn contains(&self, point: &Point) -> bool {
+        // Most points are outside the box, which costs a tenth of what the outline does.
+        if !self.bounds.contains(point) {
+            return false;
+        }
         if self.is_closed() {
             let local = self.placement.to_local(point);
             return self.encloses(&Point2::new(radius(&local), local.z));
