@@ -26,7 +26,7 @@ pub struct FileKind {
 }
 
 /// Every kind. Where two files of a folder could be the same cloud, the one of the first kind is.
-pub const FILE_KINDS: [FileKind; 9] = [
+pub const FILE_KINDS: [FileKind; 10] = [
     FileKind {
         endings: &["txt"],
         title: "Text",
@@ -56,6 +56,12 @@ pub const FILE_KINDS: [FileKind; 9] = [
         endings: &["pcd"],
         title: "PCD",
         meaning: "points, text, binary or compressed; labels by the name of their field",
+        holds: Holds::Either,
+    },
+    FileKind {
+        endings: &["las"],
+        title: "LAS",
+        meaning: "points, not packed; labels by the name of what is added to each",
         holds: Holds::Either,
     },
     FileKind {

@@ -351,6 +351,20 @@ mod tests {
         }
     }
 
+    /// Far from the origin the meeting of two of them never comes back to its start; followed to the length of the
+    /// part, it had half a million points.
+    #[test]
+    fn small_blocks_that_nearly_coincide_in_a_large_part_are_sampled_like_others() {
+        let far = |turn: f64| Block {
+            position: [123_456.0; 3],
+            rotation: [123_456.25 + turn, 123_456.25, 123_456.25],
+            ..block(Shape::Tube)
+        };
+        let blocks = [block(Shape::Sphere), far(0.0), far(0.056)];
+        let model = build("far", &compose(&blocks).unwrap(), &COARSE).unwrap();
+        assert!(!model.cloud.is_empty());
+    }
+
     #[test]
     fn what_is_wrong_with_a_block_is_said_with_its_number() {
         let good = block(Shape::Cuboid);

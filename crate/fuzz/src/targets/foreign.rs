@@ -10,6 +10,28 @@ use crate::{Bytes, Target, shapes};
 /// The forms of export that are of points, and so are read again.
 const OF_POINTS: [Export; 4] = [Export::Ply, Export::PlyText, Export::Npz, Export::Groups];
 
+/// A LAS file of two points with a column of labels.
+fn las() -> Vec<u8> {
+    let mut bytes = vec![0; 227 + 54 + 192];
+    let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
+    put(0, b"LASF");
+    put(24, &[1, 2]);
+    put(94, &[227]);
+    put(96, &(227u32 + 54 + 192).to_le_bytes());
+    put(100, &[1]);
+    put(105, &[24]);
+    put(107, &[2]);
+    for axis in 0..3 {
+        put(131 + 8 * axis, &0.001f64.to_le_bytes());
+    }
+    put(229, b"LASF_Spec");
+    put(245, &[4, 0, 192]);
+    put(227 + 54 + 2, &[6, 0]);
+    put(227 + 54 + 4, b"label");
+    bytes.extend([1; 48]);
+    bytes
+}
+
 pub const FOREIGN: Target = Target {
     name: "foreign",
     run: |input| {
@@ -46,6 +68,7 @@ pub const FOREIGN: Target = Target {
             b"num_points: 2\n0 0 0\n1 1 1\nnum_colors: 0\nnum_normals: 0\nnum_groups: 1\ngroup_type: 0\nnum_group_parameters: 4\ngroup_parameters: 0 0 1 0\ngroup_label: a\ngroup_color: 1 0 0\ngroup_num_point: 2\n0 1\nnum_children: 0\n",
         ];
         seeds.extend(files.map(<[u8]>::to_vec));
+        seeds.push(las());
         // Stored without being packed.
         seeds.push(
             b"\x1f\x8b\x08\0\0\0\0\0\0\x03\x01\x06\0\xf9\xff0 0 0\n\0\0\0\0\x06\0\0\0".to_vec(),

@@ -66,3 +66,10 @@ pub(super) const PACKED_BADLY: Kind = Kind {
     expected: "",
     hint: "Fetch it again, or unpack it first",
 };
+pub(super) const LAZ: Kind = Kind {
+    subject: Subject::File,
+    severity: Severity::Error,
+    message: "The points are packed as LAZ, which is not read",
+    expected: "LAS",
+    hint: "Save it as LAS; laszip, PDAL and CloudCompare do",
+};

@@ -1,9 +1,10 @@
-//! Reading what other programs write: PLY, PCD, OBJ, STL, NumPy's arrays, vertex groups, and any of
+//! Reading what other programs write: PLY, PCD, LAS, OBJ, STL, NumPy's arrays, vertex groups, and any of
 //! them packed by gzip. What a file is, is told by how it begins.
 
 mod gather;
 mod gzip;
 mod kinds;
+mod las;
 mod lzf;
 mod mesh;
 mod npy;
@@ -81,6 +82,7 @@ enum Kind {
     Archive,
     Ply,
     Pcd,
+    Las,
     Stl,
     Groups,
     Obj,
@@ -96,6 +98,7 @@ fn kind_of(file: &str, bytes: &[u8]) -> Option<Kind> {
         [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Kind::Array,
         [b'P', b'K', 3, 4, ..] if zip::holds_arrays(bytes) => Kind::Archive,
         [b'p', b'l', b'y', b'\n' | b'\r', ..] => Kind::Ply,
+        _ if bytes.starts_with(las::MAGIC) => Kind::Las,
         _ if is_pcd(bytes) => Kind::Pcd,
         _ if mesh::is_stl(bytes, named("stl")) => Kind::Stl,
         _ if vg::is_vg(bytes) => Kind::Groups,
@@ -118,6 +121,7 @@ fn read_kind(
         Kind::Archive => numpy::read_archive(findings, bytes, purpose),
         Kind::Ply => of_cloud(ply::read(findings, bytes)),
         Kind::Pcd => of_cloud(pcd::read(findings, bytes)),
+        Kind::Las => of_cloud(las::read(findings, bytes)),
         Kind::Stl => of_cloud(mesh::read_stl(findings, bytes)),
         Kind::Groups => of_cloud(vg::read(findings, bytes)),
         Kind::Obj => of_cloud(mesh::read_obj(findings, bytes)),

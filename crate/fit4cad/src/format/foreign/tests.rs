@@ -433,6 +433,83 @@ fn vertex_groups_are_read_as_easy3d_and_as_its_documentation_write_them() {
     }
 }
 
+/// A LAS file of a version and point format, in units of a quarter, with labels added to each point or without.
+fn las(minor: u8, format: u8, own: usize, label: Option<(u8, Store)>) -> Vec<u8> {
+    let head: u16 = if minor >= 4 { 375 } else { 227 };
+    let mut bytes = vec![0; usize::from(head)];
+    let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
+    let size = label.map_or(0, |(_, store)| store(0.0).len());
+    let described = if size > 0 { 54 + 2 * 192 } else { 0 };
+    put(0, b"LASF");
+    put(24, &[1, minor]);
+    put(94, &head.to_le_bytes());
+    put(96, &(u32::from(head) + described).to_le_bytes());
+    put(100, &u32::from(size > 0).to_le_bytes());
+    put(104, &[format]);
+    // Three bytes without a meaning, and the label.
+    let added = if size > 0 { 3 + size } else { 0 };
+    put(105, &((own + added) as u16).to_le_bytes());
+    if minor >= 4 {
+        put(247, &60u64.to_le_bytes());
+    } else {
+        put(107, &60u32.to_le_bytes());
+    }
+    let offset = [1.0f64, -2.0, 0.5];
+    for axis in 0..3 {
+        put(131 + 8 * axis, &0.25f64.to_le_bytes());
+        put(155 + 8 * axis, &offset[axis].to_le_bytes());
+    }
+    if let Some((code, _)) = label {
+        let mut about = [0; 54];
+        about[2..11].copy_from_slice(b"LASF_Spec");
+        about[18] = 4;
+        about[20..22].copy_from_slice(&(2 * 192u16).to_le_bytes());
+        let mut padding = [0; 192];
+        padding[3] = 3;
+        let mut column = [0; 192];
+        column[2] = code;
+        column[4..9].copy_from_slice(b"Label");
+        bytes.extend(about.into_iter().chain(padding).chain(column));
+    }
+    for (point, number) in rows() {
+        let mut record = vec![7; own];
+        for axis in 0..3 {
+            let count = ((point[axis] - offset[axis]) / 0.25) as i32;
+            record[4 * axis..4 * axis + 4].copy_from_slice(&count.to_le_bytes());
+        }
+        if let Some((_, store)) = label {
+            record.extend([9; 3]);
+            record.extend(store(f64::from(number)));
+        }
+        bytes.extend(record);
+    }
+    bytes
+}
+
+#[test]
+fn las_of_each_version_is_read_and_what_is_packed_is_told() {
+    let int: Store = |value| (value as i32).to_le_bytes().to_vec();
+    let byte: Store = |value| (value as i8).to_le_bytes().to_vec();
+    is_whole(&las(2, 3, 34, None), false);
+    is_whole(&las(4, 6, 30, None), false);
+    is_whole(&las(4, 7, 36, Some((6, int))), true);
+    is_whole(&las(2, 1, 28, Some((2, byte))), true);
+    is_whole(&las(2, 0, 20, Some((9, FLOATS[0].1))), true);
+    let whole = las(4, 6, 30, Some((10, FLOATS[2].1)));
+    is_whole(&whole, true);
+    let (file, findings) = cloud(&whole[..whole.len() - 1]);
+    assert_eq!(file.cloud.len(), 59);
+    assert_eq!(findings.last().unwrap().found, "59 points of 60");
+    let told = |bytes: &[u8]| cloud(bytes).1[0].to_string();
+    let mut packed = whole.clone();
+    packed[104] |= 0x80;
+    assert!(told(&packed).contains("LAZ"));
+    assert!(told(&whole[..150]).contains("ends within its head"));
+    let mut strange = whole.clone();
+    strange[104] = 11;
+    assert!(told(&strange).contains("no point format"));
+}
+
 #[test]
 fn files_packed_by_gzip_are_unpacked_whatever_they_are() {
     let packed = |content: &[u8]| {

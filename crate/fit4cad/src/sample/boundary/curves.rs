@@ -174,6 +174,9 @@ fn crossings(boundary: &Boundary, face: usize, other: usize) -> Vec<Point> {
 /// Steps of a grid along either coordinate of a face.
 const STEPS: usize = 48;
 
+/// Most length of a meeting, over the diagonal of the smaller face's box. A circle is 2.2 of its own.
+const ROUNDS: f64 = 30.0;
+
 /// Sine of the angle under which two faces count as tangent: their meeting has no direction.
 const TANGENT: f64 = 1e-5;
 
@@ -280,7 +283,10 @@ fn on_both(boundary: &Boundary, pair: [usize; 2], point: &Point) -> bool {
 /// Follows a meeting both ways from a point, to its end or round to its start. An open one goes a
 /// step beyond its ends.
 fn follow(boundary: &Boundary, pair: [usize; 2], start: Point, step: f64) -> Option<Curve> {
-    let limit = (30.0 * boundary.diagonal / step) as usize;
+    // A meeting winds over the smaller face; where rounding leads it past its start, it is not to go on
+    // for as many steps as the part is larger than that.
+    let sizes = pair.map(|face| boundary.faces[face].bounds.diagonal());
+    let limit = (ROUNDS * sizes[0].min(sizes[1]) / step) as usize;
     let mut points = vec![start];
     let mut closed = false;
     'ways: for way in [1.0, -1.0] {
