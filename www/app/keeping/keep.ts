@@ -3,7 +3,7 @@
 import { batch, effect } from "@preact/signals";
 import { latest } from "../engine/latest";
 import { clear, contents } from "../state/contents";
-import { bring, brought, overrides } from "../state/inbox";
+import { bring, brought, names, overrides } from "../state/inbox";
 import { keeping } from "../state/kept";
 import { madeModels, madeSubmissions, putBackMade } from "../state/made";
 import { notify } from "../state/notices";
@@ -48,6 +48,7 @@ async function putBack(kept: Work): Promise<void> {
   batch(() => {
     // What has come meanwhile is newer.
     overrides.value = { ...Object.fromEntries(kept.overrides), ...overrides.value };
+    names.value = new Map([...kept.names, ...names.value]);
     putBackMade(kept.models, kept.submissions);
   });
   await bring([...kept.files.values()].filter(({ path }) => !brought.value.has(path)), []);
@@ -61,6 +62,7 @@ function work(): Work {
     models: new Map([...madeModels.value].filter(([name, { makesRoom }]) => !makesRoom || madeSubmissions.value.has(name))),
     submissions: madeSubmissions.value,
     overrides: new Map(Object.entries(overrides.value)),
+    names: new Map([...names.value].filter(([path]) => brought.value.has(path))),
   };
 }
 

@@ -14,6 +14,8 @@ interface Kept extends DBSchema {
   submissions: { key: string; value: ReadonlyMap<string, MadeSubmission> };
   /** By the path of the file that is corrected. */
   overrides: { key: string; value: Override };
+  /** The name of the model that a file is of, by the file's path. */
+  names: { key: string; value: string };
 }
 
 /** Everything that is kept, each kind by its key. */
@@ -22,19 +24,19 @@ export interface Work {
   readonly models: ReadonlyMap<string, MadeModel>;
   readonly submissions: ReadonlyMap<string, ReadonlyMap<string, MadeSubmission>>;
   readonly overrides: ReadonlyMap<string, Override>;
+  readonly names: ReadonlyMap<string, string>;
 }
 
-const KINDS = ["files", "models", "submissions", "overrides"] as const;
+const KINDS = ["files", "models", "submissions", "overrides", "names"] as const;
 
-/** One more wherever the records change their shape: what an older page kept is then forgotten. */
-const VERSION = 1;
+/** One more wherever there is a new kind of records. Where they change their shape, let them have another name. */
+const VERSION = 2;
 
 const opened = () =>
   openDB<Kept>("fit4cad", VERSION, {
     upgrade: (database) => {
       for (const kind of KINDS) {
-        if (database.objectStoreNames.contains(kind)) database.deleteObjectStore(kind);
-        database.createObjectStore(kind);
+        if (!database.objectStoreNames.contains(kind)) database.createObjectStore(kind);
       }
     },
   });
@@ -48,10 +50,11 @@ export async function read(): Promise<Work> {
     const [keys, values] = await Promise.all([store.getAllKeys(), store.getAll()]);
     return new Map(keys.map((key, at) => [key, values[at] as Kept[Kind]["value"]]));
   };
-  const [files, models, submissions, overrides] = await Promise.all([of("files"), of("models"), of("submissions"), of("overrides")]);
+  const [files, models, submissions] = await Promise.all([of("files"), of("models"), of("submissions")]);
+  const [overrides, names] = await Promise.all([of("overrides"), of("names")]);
   await all.done;
   database.close();
-  return { files, models, submissions, overrides };
+  return { files, models, submissions, overrides, names };
 }
 
 /** Writes what has changed between two states of the work, whole or not at all. @throws where there is no room for it. */

@@ -27,8 +27,9 @@ export function StatusBar(): JSX.Element {
           <button
             type="button"
             onClick={() => {
-              shown.offer?.run();
+              // What it does may have something to say.
               dismiss();
+              shown.offer?.run();
             }}
           >
             {shown.offer.title}

@@ -2,24 +2,60 @@
 
 import { contents } from "./contents";
 import { bring, unplaced, type BroughtFile, type Unplaced } from "./inbox";
-import { freeName, madeModels } from "./made";
-import { notify } from "./notices";
+import { freeName } from "./identity";
+import { madeModels } from "./made";
+import { notify, type Offer } from "./notices";
 import type { Origin } from "./origin";
 import { selectModel } from "./selection";
+import { plural } from "../ui/format";
+import { isSameCloud, joinTwins, twinsAmong, type Twin } from "./twins";
 import type { ModelFile } from "../../worker/protocol";
 
-/** Takes files in and shows the first model they make or change. `lacking` are files that could not even be opened. */
+/**
+ * Takes files in and shows the first model they make or change. `lacking` are files that could not even be opened. Where
+ * what comes may be a model of its own as well as a submission, the likelier is taken and the other offered, once for all.
+ */
 export async function receive(files: readonly BroughtFile[], lacking: readonly Unplaced[] = []): Promise<void> {
   const before = new Set(contents.value.map(({ source }) => source.key));
+  const known = new Set(contents.value.map(({ id }) => id));
   await bring(files, lacking);
   const fresh = contents.value.filter(({ source }) => !before.has(source.key));
-  const first = fresh[0];
+  const twins = twinsAmong(fresh.filter(({ id }) => !known.has(id)));
+  if (fresh[0]) selectModel(fresh[0].id);
+  const text = `${plural(files.length, "file")} received: ${plural(fresh.length, "model")} new or changed`;
+  const rest = unplaced.value.length > 0 ? `, ${plural(unplaced.value.length, "file")} not placed (see Diagnostics).` : ".";
+  const same = await Promise.all(twins.map(isSameCloud));
+  if (twins.length === 0) notify(text + rest);
+  else if (same.every((each) => each)) join(twins);
+  else keepApart(twins);
+}
+
+/** Takes what came for submissions, and offers to have models of their own instead. */
+function join(twins: readonly Twin[]): void {
+  const part = joinTwins(twins);
+  show(twins, "old");
+  const what = twins.length === 1 ? `a submission for ${twins[0]?.old.id}` : `submissions for ${twins.length} models`;
+  ask(`Taken as ${what} of the same cloud.`, `Make ${twins.length === 1 ? "a new model" : "new models"}`, () => {
+    part();
+    keepApart(twins);
+  });
+}
+
+/** Leaves what came as models of their own, and offers to have submissions instead. */
+function keepApart(twins: readonly Twin[]): void {
+  show(twins, "fresh");
+  const [one] = twins;
+  const what = twins.length === 1 ? `the new model ${one?.fresh.id}, beside ${one?.old.id}` : `${twins.length} new models, beside those of their names`;
+  ask(`Taken as ${what}.`, `Make ${twins.length === 1 ? `a submission for ${one?.old.id}` : "submissions for those"}`, () => join(twins));
+}
+
+function show(twins: readonly Twin[], which: keyof Twin): void {
+  const first = twins[0]?.[which];
   if (first) selectModel(first.id);
-  const count = (n: number, what: string) => `${n} ${what}${n === 1 ? "" : "s"}`;
-  notify(
-    `${count(files.length, "file")} received: ${count(fresh.length, "model")} new or changed` +
-      (unplaced.value.length > 0 ? `, ${count(unplaced.value.length, "file")} not placed (see Diagnostics).` : "."),
-  );
+}
+
+function ask(text: string, title: string, run: Offer["run"]): void {
+  notify(text, "info", { title, run });
 }
 
 /** How a model comes on the page: into view, aside of what is in view, or until something is brought. */

@@ -7,8 +7,10 @@ import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { engine } from "../engine/client";
 import type { Grouping, Override } from "../engine/contract";
 import { latest } from "../engine/latest";
-import { makeRoomFor } from "./made";
+import { named, namesOf, type Names } from "./identity";
+import { madeNames, makeRoom } from "./made";
 import { notify } from "./notices";
+import type { EngineWorker } from "../../worker/protocol";
 import type { PublicModel } from "./origin";
 
 /** A file as it was brought: its path within what was dropped or chosen, and its content. */
@@ -36,8 +38,20 @@ const refused = signal<ReadonlyMap<string, string>>(new Map());
 
 const NOTHING: Grouping = { models: [], unplaced: [], ignored: 0 };
 
-/** How the heap was sorted last. Of a heap that has changed since it may name files that are gone. */
+/** How the heap was sorted last, under the names of the page. Of a heap that has changed since it may name files that are gone. */
 export const grouping = signal<Grouping>(NOTHING);
+
+/** The models that files were of when the heap was sorted last; of files that were taken off it, their last. */
+export const names = signal<Names>(new Map());
+
+/** What the engine calls the models of the heap, by their names on the page. */
+let engineNames: Names = new Map();
+
+/** What the engine calls a model, without the folders it is in. */
+export function bareName(model: string): string {
+  const name = engineNames.get(model) ?? model;
+  return name.slice(name.lastIndexOf("/") + 1);
+}
 
 /** Every file that is part of no model, with the reason. */
 export const unplaced = computed<readonly Unplaced[]>(() => [
@@ -75,9 +89,10 @@ export function discard(paths: ReadonlySet<string>): void {
 
 /** Remembers the heap: the result puts back what has been taken off it since. */
 export function keepBrought(): () => void {
-  const before = { heap: brought.value, corrected: overrides.value, lacking: refused.value };
+  const before = { heap: brought.value, corrected: overrides.value, lacking: refused.value, called: names.value };
   return () =>
     batch(() => {
+      names.value = new Map([...before.called, ...names.value]);
       brought.value = new Map([...before.heap, ...brought.value]);
       overrides.value = { ...before.corrected, ...overrides.value };
       refused.value = new Map([...before.lacking, ...refused.value]);
@@ -90,6 +105,7 @@ export function discardAll(): void {
     brought.value = new Map();
     overrides.value = {};
     refused.value = new Map();
+    names.value = new Map();
   });
 }
 
@@ -101,12 +117,27 @@ export function override(path: string, change: Override): void {
 
 /** One at a time: a heap sorted later must not be overtaken by an earlier one. */
 const sort = latest(async ({ heap, corrected }: { heap: Heap; corrected: Overrides }) => {
-  const found = heap.size > 0 ? await engine.run((api) => api.group([...heap.keys()], corrected)) : NOTHING;
+  const paths = [...heap.keys()];
+  const found = paths.length > 0 ? await engine.run((api) => groupAll(api, paths, corrected)) : NOTHING;
   batch(() => {
-    grouping.value = found;
-    makeRoomFor(found.models.map(({ name }) => name));
+    if (found.models.length > 0) makeRoom();
+    const said = Object.entries(corrected).flatMap(([path, { model }]) => (model === undefined ? [] : [[path, model] as const]));
+    const models = named(found.models, new Map([...names.value, ...said]), madeNames());
+    engineNames = new Map(models.map(({ name }, at) => [name, found.models[at]?.name ?? name]));
+    grouping.value = { ...found, models };
+    // What a file was before it was corrected is what it is once the correction is taken back.
+    names.value = new Map([...names.value, ...[...namesOf(models)].filter(([path]) => corrected[path]?.model === undefined)]);
   });
 });
+
+/** Sorts the heap. Corrections name models as the page does, which the engine may call otherwise. */
+async function groupAll(api: Pick<EngineWorker, "group">, paths: string[], corrected: Overrides): Promise<Grouping> {
+  if (Object.values(corrected).every(({ model }) => model === undefined)) return api.group(paths, corrected);
+  const each = (change: (one: Override) => Override) => Object.fromEntries(Object.entries(corrected).map(([path, one]) => [path, change(one)]));
+  const { models } = await api.group(paths, each(({ model: _, ...rest }) => rest));
+  const called = new Map(named(models, names.value, madeNames()).map(({ name }, at) => [name, models[at]?.name ?? name]));
+  return api.group(paths, each((one) => (one.model === undefined ? one : { ...one, model: called.get(one.model) ?? one.model })));
+}
 
 let sorted: Promise<void> = Promise.resolve();
 

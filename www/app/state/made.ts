@@ -92,36 +92,18 @@ export function forgetAll(): void {
   });
 }
 
-/**
- * Models of these names come as files: what was only there to look at goes, and models made here that have such a name
- * get others, with the submissions that were made for them.
- */
-export function makeRoomFor(names: readonly string[]): void {
-  if (names.length === 0 || madeModels.value.size === 0) return;
-  const brought = new Set(names);
-  const taken = new Set([...brought, ...madeModels.value.keys()]);
-  const called = new Map<string, string>();
-  const models = [...madeModels.value].filter(([, { makesRoom }]) => !makesRoom);
-  for (const [name] of models) {
-    if (!brought.has(name)) continue;
-    const free = freeName(name, taken);
-    taken.add(free);
-    called.set(name, free);
-  }
+/** Files were brought: what was only there to look at goes, with what was made of it. */
+export function makeRoom(): void {
   const gone = new Set([...madeModels.value].flatMap(([name, { makesRoom }]) => (makesRoom ? [name] : [])));
-  const now = (name: string) => called.get(name) ?? name;
+  if (gone.size === 0) return;
+  const without = <V>(all: ReadonlyMap<string, V>) => new Map([...all].filter(([name]) => !gone.has(name)));
   batch(() => {
-    madeModels.value = new Map(models.map(([name, model]) => [now(name), model]));
-    madeSubmissions.value = new Map(
-      [...madeSubmissions.value].filter(([name]) => !gone.has(name)).map(([name, made]) => [now(name), made]),
-    );
+    madeModels.value = without(madeModels.value);
+    madeSubmissions.value = without(madeSubmissions.value);
   });
 }
 
-/** The name itself, or the first with a number that is not taken. */
-export function freeName(wanted: string, taken: ReadonlySet<string>): string {
-  if (!taken.has(wanted)) return wanted;
-  let number = 2;
-  while (taken.has(`${wanted}-${number}`)) number += 1;
-  return `${wanted}-${number}`;
+/** The names of what was made here to stay: what is brought takes none of them. */
+export function madeNames(): string[] {
+  return [...madeModels.value].flatMap(([name, { makesRoom }]) => (makesRoom ? [] : [name]));
 }
