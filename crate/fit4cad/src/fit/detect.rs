@@ -2,7 +2,7 @@
 
 use super::contest::is_evident;
 use super::least_squares;
-use super::local::{self, CURVED, polish};
+use super::local::{self, SHEETS, polish};
 use super::progress::Observer;
 use super::search::Search;
 use super::trace::Event;
@@ -71,7 +71,7 @@ pub fn at(search: &mut Search<'_>, seed: u32) -> Option<Candidate> {
 /// Grows the sheet of a thin wall that the first point of a patch is on.
 fn sheets(search: &mut Search<'_>, patch: &[u32], candidates: &mut Vec<Candidate>) {
     let points = search.points(patch);
-    for kind in CURVED {
+    for kind in SHEETS {
         let tolerance = search.scale.tolerance;
         for (surface, inliers) in local::through_sheet(kind, &points, tolerance, local::SPARE) {
             grow_surface(search, &surface, patch, &inliers, candidates);

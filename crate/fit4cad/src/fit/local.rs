@@ -104,6 +104,14 @@ pub const CURVED: [SurfaceType; 3] = [
     SurfaceType::Cone,
 ];
 
+/// The families of the sheets of thin walls.
+pub const SHEETS: [SurfaceType; 4] = [
+    SurfaceType::Plane,
+    SurfaceType::Sphere,
+    SurfaceType::Cylinder,
+    SurfaceType::Cone,
+];
+
 /// Starts for the surfaces of the given family through a patch; most are wrong, which costs
 /// nothing but the time to see it.
 pub fn starts(kind: SurfaceType, patch: &[Point]) -> Vec<Surface> {
@@ -324,12 +332,18 @@ pub fn through_sheet(
             let between = least_squares::approximate(&start, patch, Loss::Squares)?.surface;
             let is_above = |point: &Point| between.signed_distance(point) > 0.0;
             let above = is_above(patch.first()?);
-            let places: Vec<usize> = (0..patch.len())
-                .filter(|&place| is_above(&patch[place]) == above)
-                .collect();
-            let sheet: Vec<Point> = places.iter().map(|&place| patch[place]).collect();
-            let needed = (degrees_of_freedom(kind) + spare).max(2 * sheet.len() / 3);
-            let (surface, agreeing) = polish(&between, &sheet, tolerance, needed)?;
+            let (places, beyond): (Vec<usize>, Vec<usize>) =
+                (0..patch.len()).partition(|&place| is_above(&patch[place]) == above);
+            let polished = |places: &[usize]| {
+                let sheet: Vec<Point> = places.iter().map(|&place| patch[place]).collect();
+                let needed = (degrees_of_freedom(kind) + spare).max(2 * sheet.len() / 3);
+                polish(&between, &sheet, tolerance, needed)
+            };
+            let (surface, agreeing) = polished(&places)?;
+            // A plane is on one side of any bent face beside it: both sheets of a flat wall are flat.
+            if kind == SurfaceType::Plane {
+                polished(&beyond)?;
+            }
             Some((surface, agreeing.iter().map(|&i| places[i]).collect()))
         })
 }

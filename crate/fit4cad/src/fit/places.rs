@@ -7,8 +7,11 @@
 //! get their labels from what was found without them. So are points whose coordinates are not finite,
 //! without any label.
 //!
+//! Scan lines are thinned alike (`lines`).
+//!
 //! The places are in an order of their own, so that a fit does not hang on how a file lists them.
 
+mod lines;
 mod order;
 mod unfolded;
 
@@ -58,10 +61,13 @@ impl<'a> Places<'a> {
     pub fn of(all: &'a Cloud) -> (Self, KdTree) {
         let mut kept = distinct(all.points());
         let mut tree = KdTree::new(kept.cloud.points());
-        if let Some(radius) = reach_of_copies(kept.cloud.points(), &tree) {
-            let apart = apart(kept.cloud.points(), &tree, radius);
-            kept = kept.then(apart);
-            tree = KdTree::new(kept.cloud.points());
+        for reach in [reach_of_copies, lines::reach_along_lines] {
+            let points = kept.cloud.points();
+            if let Some(radius) = reach(points, &tree) {
+                let apart = apart(points, &tree, radius);
+                kept = kept.then(apart);
+                tree = KdTree::new(kept.cloud.points());
+            }
         }
         (Self { all, kept }, tree)
     }

@@ -18,8 +18,9 @@ pub struct Scale {
     pub noise: f64,
     /// Farthest a point may lie from a surface and still be on it.
     pub tolerance: f64,
-    /// Whether the points are off their surfaces because their coordinates were rounded.
-    pub is_rounded: bool,
+    /// Step to which the coordinates of the points were rounded, so that they are off their surfaces; 0 where
+    /// they were not.
+    pub step: f64,
 }
 
 /// Least noise, in diameters. The benchmark's points lie on their surfaces to 1e-7 of the diameter or
@@ -55,8 +56,7 @@ impl Scale {
     pub fn measure(cloud: &Cloud, tree: &KdTree, graph: &Neighbourhoods, tolerance: f64) -> Self {
         let diameter = Ball::of(cloud.points()).diameter();
         let spacing = spacing(cloud.points(), graph);
-        let (noise, is_rounded) =
-            noise::noise(cloud.points(), tree, graph, spacing, FLOOR * diameter);
+        let (noise, step) = noise::noise(cloud.points(), tree, graph, spacing, FLOOR * diameter);
         let estimated = (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing));
         Self {
             diameter,
@@ -67,7 +67,7 @@ impl Scale {
             } else {
                 estimated
             },
-            is_rounded,
+            step,
         }
     }
 

@@ -242,7 +242,7 @@ impl<'a> Search<'a> {
     /// Whether a surface is one that CAD would call by its name: not a cylinder so large that it is
     /// a plane, not, where there is no noise, a torus that cuts its own axis.
     pub fn is_plausible(&self, surface: &Surface) -> bool {
-        let largest = 20.0 * self.scale.diameter;
+        let largest = LARGEST * self.scale.diameter;
         let smallest = 4.0 * self.scale.tolerance;
         let (slimmest, fattest) = if self.scale.is_clean() {
             (SLIMMEST, FATTEST)
@@ -353,6 +353,8 @@ impl<'a> Search<'a> {
 }
 
 const GROWTH_ROUNDS: usize = 24;
+/// Largest radius, in diameters of the cloud: that of an arc of two degrees.
+const LARGEST: f64 = 30.0;
 /// Points of a patch at which it is to be more than one row of them.
 const ROW: usize = 200;
 /// Smallest half-angle of a cone without noise, in radians: drafts of moulded parts are a few

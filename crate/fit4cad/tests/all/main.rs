@@ -14,5 +14,6 @@ mod hostile_input;
 mod hough;
 mod real_files;
 mod sample;
+mod scans;
 mod scoring;
 mod surfaces;

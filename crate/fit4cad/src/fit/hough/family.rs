@@ -72,6 +72,8 @@ pub struct Region {
     pub length_step: f64,
     /// Cell size of angles, in radians.
     pub angle_step: f64,
+    /// Whether it is the region of surfaces so large, or apexes so far, that the near one does not hold them.
+    pub is_far: bool,
 }
 
 /// The parameters settled on the rungs climbed so far.
@@ -86,22 +88,36 @@ pub struct Settled {
 }
 
 impl Region {
-    /// Apexes of slim cones and centres of large spheres lie outside the cloud's box, by up to
-    /// this many diagonals.
-    const REACH: f64 = 4.0;
-    /// Radii are looked for up to this many diagonals: a patch of a larger one is flat to the eye.
-    const LARGEST: f64 = 4.0;
+    /// Apexes of slim cones and centres of large spheres lie outside the cloud's box, and radii are looked for,
+    /// by up to this many diagonals.
+    const NEAR: f64 = 4.0;
+    /// And in the far region, whose cells are as much coarser where there are too many: beyond what any search
+    /// takes for plausible, 30 diameters of a ball that holds the box.
+    const FAR: f64 = 64.0;
+
+    /// Whether a vote is to be counted here. In the near region all are; those it has no cells for drop out.
+    pub fn concerns(&self, surface: &Surface) -> bool {
+        let size = match surface {
+            Surface::Plane(_) => return !self.is_far,
+            Surface::Cylinder(it) => it.radius,
+            Surface::Sphere(it) => it.radius,
+            Surface::Torus(it) => it.major_radius.max(it.minor_radius),
+            Surface::Cone(it) => (it.apex - self.bounds.centre()).norm(),
+        };
+        !self.is_far || size > Self::NEAR * self.bounds.diagonal()
+    }
 
     /// The grid of a rung; the Gauss sphere is no grid and gives one without axes.
     pub fn grid(&self, rung: Rung) -> Grid {
         let diagonal = self.bounds.diagonal();
+        let reach = if self.is_far { Self::FAR } else { Self::NEAR };
         let length = |reach: f64| Axis::new(-reach * diagonal, reach * diagonal, self.length_step);
-        let radius = || Axis::new(0.0, Self::LARGEST * diagonal, self.length_step);
+        let radius = || Axis::new(0.0, reach * diagonal, self.length_step);
         let axes = match rung {
             Rung::Direction => Vec::new(),
             Rung::Offset => vec![length(0.5)],
-            Rung::Across => vec![length(Self::REACH); 2],
-            Rung::Position => vec![length(Self::REACH); 3],
+            Rung::Across => vec![length(reach); 2],
+            Rung::Position => vec![length(reach); 3],
             Rung::Radius => vec![radius()],
             Rung::HalfAngle => vec![Axis::new(0.0, std::f64::consts::FRAC_PI_2, self.angle_step)],
             Rung::Radii => vec![radius(); 2],
@@ -205,6 +221,7 @@ mod tests {
             },
             length_step: 0.05,
             angle_step: 0.03,
+            is_far: false,
         }
     }
 

@@ -47,6 +47,7 @@ pub fn find(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<(), 
         bounds: search.cloud.bounds(),
         length_step: search.scale.spacing.max(4.0 * search.scale.tolerance),
         angle_step: ANGLE_STEP,
+        is_far: false,
     };
     // Narrow faces are narrower than the spacing, and so near each other.
     let fine = (FINE * search.scale.spacing).max(4.0 * search.scale.tolerance);

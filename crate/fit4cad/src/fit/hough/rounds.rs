@@ -35,12 +35,13 @@ pub fn round(
         Evidence::Borders(_) => 0.0,
     };
     let mut summits: Vec<Summit> = Vec::new();
-    for kind in SurfaceType::ALL {
-        let points = search.cloud.points();
-        summits.extend(
-            work.spaces
-                .climb(kind, votes, points, share, 1, &mut work.recorder),
-        );
+    let points = search.cloud.points();
+    let far = work.spaces.far();
+    for (spaces, kind) in [&work.spaces, &far]
+        .into_iter()
+        .flat_map(|spaces| SurfaceType::ALL.map(|kind| (spaces, kind)))
+    {
+        summits.extend(spaces.climb(kind, votes, points, share, 1, &mut work.recorder));
     }
     summits.sort_by_key(|summit| std::cmp::Reverse(summit.voters.len()));
     let mut candidates: Vec<Candidate> = Vec::new();

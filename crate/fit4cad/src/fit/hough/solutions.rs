@@ -3,7 +3,7 @@
 use super::vote::Vote;
 use crate::fit::Search;
 use crate::fit::least_squares::degrees_of_freedom;
-use crate::fit::local::{self, CURVED, SPARE};
+use crate::fit::local::{self, SHEETS, SPARE};
 use crate::fit::pure::{flat, pure};
 use crate::fit::thin::curve::is_curve;
 use crate::surface::{Surface, SurfaceType};
@@ -67,7 +67,7 @@ pub fn mixed_votes(
         best.extend(strongest(&mut starts.iter().filter_map(polished)));
     }
     if best.is_empty() && search.scale.is_clean() {
-        for kind in CURVED.into_iter().filter(|kind| kinds.contains(kind)) {
+        for kind in SHEETS.into_iter().filter(|kind| kinds.contains(kind)) {
             best.extend(strongest(&mut local::through_sheet(
                 kind, &points, tolerance, SPARE,
             )));

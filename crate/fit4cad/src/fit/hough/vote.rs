@@ -59,6 +59,17 @@ impl Spaces {
         }
     }
 
+    /// Those of surfaces that these have no cells for.
+    pub fn far(&self) -> Self {
+        Self {
+            region: Region {
+                is_far: true,
+                ..self.region
+            },
+            directions: Rc::clone(&self.directions),
+        }
+    }
+
     /// The region they discretise.
     pub fn region(&self) -> &Region {
         &self.region
@@ -93,7 +104,7 @@ impl Spaces {
         };
         let all = (0_u32..)
             .zip(votes)
-            .filter(|(_, vote)| vote.surface.kind() == kind)
+            .filter(|(_, vote)| vote.surface.kind() == kind && self.region.concerns(&vote.surface))
             .map(|(voter, _)| voter)
             .collect();
         climb.rung(ladder(kind), all, &Settled::default());
@@ -246,6 +257,7 @@ mod tests {
             },
             length_step: 0.05,
             angle_step: 0.03,
+            is_far: false,
         })
     }
 

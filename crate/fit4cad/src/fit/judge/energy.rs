@@ -34,13 +34,26 @@ pub fn counted(nats: f64) -> i32 {
     (nats * NAT).round() as i32
 }
 
-/// What it costs a point to be so far from its surface.
-pub fn of_distance(distance: f64, noise: f64) -> f64 {
-    let deviations = distance / noise;
-    if deviations <= LINEAR {
-        0.5 * deviations * deviations
-    } else {
-        LINEAR * (deviations - 0.5 * LINEAR)
+/// How the points of a cloud lie off their surfaces, in the units of the cloud.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Deviation {
+    /// Standard deviation.
+    pub noise: f64,
+    /// Step to which their coordinates were rounded, 0 where they were not.
+    pub step: f64,
+}
+
+impl Deviation {
+    /// What it costs a point to be so far from its surface. Rounding moves every point by up to half a step
+    /// along each axis, all of it as likely: within that, to be nearer says nothing. Else the flat spots that
+    /// rounding leaves on a curved face would be planes.
+    pub fn cost(self, distance: f64) -> f64 {
+        let deviations = (distance - 0.5 * self.step).max(0.0) / self.noise;
+        if deviations <= LINEAR {
+            0.5 * deviations * deviations
+        } else {
+            LINEAR * (deviations - 0.5 * LINEAR)
+        }
     }
 }
 
@@ -113,7 +126,7 @@ impl Priced {
     }
 
     /// What a point costs on it, in whole numbers.
-    pub fn cost(&self, point: &Point, noise: f64) -> i32 {
-        counted(of_distance(self.surface.distance(point), noise).min(LARGEST))
+    pub fn cost(&self, point: &Point, deviation: Deviation) -> i32 {
+        counted(deviation.cost(self.surface.distance(point)).min(LARGEST))
     }
 }

@@ -29,7 +29,7 @@ pub fn faces(
     spacing: f64,
     smallest: usize,
 ) -> Vec<Face> {
-    let near = (ON_EDGE * labelling.noise).min(WITHIN_ROW * spacing);
+    let near = (ON_EDGE * labelling.deviation.noise).min(WITHIN_ROW * spacing);
     let mut seen = vec![false; points.len()];
     let mut faces = Vec::new();
     for (label, members) in (0u32..).zip(labelling.members()) {

@@ -1,7 +1,7 @@
 //! Which family of surfaces describes some points best: the one whose errors and parameters together take
 //! fewest nats.
 
-use super::energy::{self, of_distance, of_surface};
+use super::energy::{self, Deviation, of_surface};
 use crate::cloud::Point;
 use crate::cloud::normals::Spread;
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
@@ -25,8 +25,8 @@ const FATTEST: f64 = 0.3;
 /// What is known of a cloud where surfaces are fitted.
 #[derive(Debug, Clone, Copy)]
 pub struct Measures {
-    /// Standard deviation of the points off their surfaces, in the units of the cloud.
-    pub noise: f64,
+    /// How the points lie off their surfaces.
+    pub deviation: Deviation,
     /// Diameter of the cloud.
     pub diameter: f64,
 }
@@ -56,7 +56,7 @@ impl Measures {
     /// What the points cost on a surface, itself included, in nats.
     pub fn cost(&self, surface: &Surface, sample: &Sample) -> f64 {
         let points = sample.points.iter();
-        let costs = points.map(|p| of_distance(surface.distance(p), self.noise));
+        let costs = points.map(|p| self.deviation.cost(surface.distance(p)));
         let sum: f64 = costs.map(|cost| cost.min(energy::OUTLIER)).sum();
         let each = sample.count as f64 / sample.points.len().max(1) as f64;
         each * sum + of_surface(surface.kind(), sample.count)
@@ -65,14 +65,14 @@ impl Measures {
     /// The surface of the same family that fits points best, those far off it without a say. `None` where
     /// there is none within reach.
     pub fn refit(&self, surface: &Surface, points: &[Point]) -> Option<Surface> {
-        let loss = Loss::Biweight(CUT_OFF * self.noise);
+        let loss = Loss::Biweight(CUT_OFF * self.deviation.noise);
         let fitted = least_squares::approximate(surface, points, loss)?.surface;
         self.is_plausible(&fitted).then_some(fitted)
     }
 
     /// Whether a surface can be told from a simpler one within the cloud.
     fn is_plausible(&self, surface: &Surface) -> bool {
-        let radii = SMALLEST * self.noise..LARGEST * self.diameter;
+        let radii = SMALLEST * self.deviation.noise..LARGEST * self.diameter;
         let slopes = SLIMMEST..std::f64::consts::FRAC_PI_2 - FLATTEST;
         match surface {
             Surface::Plane(_) => true,

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::energy::{self, Links, NO_SURFACE, Priced, counted};
+use super::energy::{self, Deviation, Links, NO_SURFACE, Priced, counted};
 use super::maxflow::Graph;
 use crate::cloud::Point;
 use crate::cloud::neighbours::KdTree;
@@ -34,8 +34,8 @@ pub struct Labelling {
     pub labels: Vec<u32>,
     /// How many points each surface has.
     pub sizes: Vec<u32>,
-    /// Standard deviation of the points off their surfaces.
-    pub noise: f64,
+    /// How the points lie off their surfaces.
+    pub deviation: Deviation,
     /// What each point costs where it is, borders left out.
     costs: Vec<i32>,
     border: i32,
@@ -48,12 +48,12 @@ const NO_NODE: u32 = u32::MAX;
 
 impl Labelling {
     /// All points on no surface.
-    pub fn empty(points: usize, noise: f64) -> Self {
+    pub fn empty(points: usize, deviation: Deviation) -> Self {
         Self {
             surfaces: Vec::new(),
             labels: vec![NO_SURFACE; points],
             sizes: Vec::new(),
-            noise,
+            deviation,
             costs: vec![counted(energy::OUTLIER); points],
             border: counted(energy::BORDER),
             node: vec![NO_NODE; points],
@@ -82,7 +82,7 @@ impl Labelling {
     pub fn revalue(&mut self, points: &[Point]) {
         for ((point, &label), cost) in points.iter().zip(&self.labels).zip(&mut self.costs) {
             *cost = match self.surfaces.get(label as usize) {
-                Some(surface) => surface.cost(point, self.noise),
+                Some(surface) => surface.cost(point, self.deviation),
                 None => counted(energy::OUTLIER),
             };
         }
@@ -132,13 +132,13 @@ impl Labelling {
         let surface = self.surfaces[label as usize];
         let mut open: Vec<(u32, i32)> = Vec::new();
         scene.tree.near_zero(
-            REACH * self.noise,
+            REACH * self.deviation.noise,
             |point| surface.surface.distance(point),
             |index| {
                 if self.labels[index as usize] != label {
                     open.push((
                         index,
-                        surface.cost(&scene.points[index as usize], self.noise),
+                        surface.cost(&scene.points[index as usize], self.deviation),
                     ));
                 }
             },

@@ -25,7 +25,7 @@ use super::progress::{Cancelled, Observer, Stage};
 use super::scale::Scale;
 use super::search::Search;
 use crate::random::Random;
-use energy::{Links, Priced};
+use energy::{Deviation, Links, Priced};
 use family::Measures;
 use labelling::{Labelling, Scene};
 use propose::{Proposal, Proposer};
@@ -49,7 +49,7 @@ const SMALLEST: usize = 12;
 /// all the same, it was asked for, or a far point hides how small the part is.
 pub fn is_for(scale: &Scale, points: usize) -> bool {
     let is_noisy = if scale.has_noise() {
-        scale.is_rounded || scale.noise > SWITCH * scale.spacing
+        scale.step > 0.0 || scale.noise > SWITCH * scale.spacing
     } else {
         !scale.is_clean()
     };
@@ -74,12 +74,15 @@ pub fn judge(
         links: &links,
     };
     let measures = Measures {
-        noise: search.scale.noise,
+        deviation: Deviation {
+            noise: search.scale.noise,
+            step: search.scale.step,
+        },
         diameter: search.scale.diameter,
     };
     let mut random = Random::new(seed, 1);
     let mut proposer = Proposer::new(points, &search.tree, graph, measures);
-    let mut labelling = Labelling::empty(points.len(), measures.noise);
+    let mut labelling = Labelling::empty(points.len(), measures.deviation);
     let mut usable = vec![true; points.len()];
     let mut progress = Progress {
         observer,

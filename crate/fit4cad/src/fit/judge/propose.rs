@@ -126,7 +126,7 @@ impl<'a> Proposer<'a> {
             };
             // The residual of ν degrees of freedom is known to one part in the root of 2ν.
             let spread = 1.0 / (2.0 * (size - 6) as f64).sqrt();
-            let limit = self.measures.noise * (1.0 + CHANCE * spread);
+            let limit = self.measures.deviation.noise * (1.0 + CHANCE * spread);
             if residual(patch).is_some_and(|it| it <= limit) {
                 widest = size;
             } else if widest > 0 {
@@ -185,7 +185,7 @@ impl<'a> Proposer<'a> {
 
     /// The points near a surface reached from some points along the graph, up to a limit.
     fn reached(&mut self, surface: &Surface, seeds: &[u32], limit: usize) -> Vec<u32> {
-        let band = BAND * self.measures.noise;
+        let band = BAND * self.measures.deviation.noise;
         self.flood += NEAR + 1;
         let mut reached = Vec::new();
         for &seed in seeds {

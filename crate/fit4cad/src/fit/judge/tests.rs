@@ -125,7 +125,10 @@ fn every_move_lowers_the_energy_by_what_it_says() {
         links: &links,
     };
     let measures = Measures {
-        noise: 0.3,
+        deviation: Deviation {
+            noise: 0.3,
+            step: 0.0,
+        },
         diameter: search.scale.diameter,
     };
     let mut proposer = Proposer::new(points, &search.tree, &search.graph, measures);
@@ -133,7 +136,7 @@ fn every_move_lowers_the_energy_by_what_it_says() {
     let usable = vec![true; points.len()];
     let mut tell = |_| Ok(());
     let proposals = proposer.propose(&usable, 60, &mut random, &mut tell);
-    let mut labelling = Labelling::empty(points.len(), 0.3);
+    let mut labelling = Labelling::empty(points.len(), measures.deviation);
     let mut energy = labelling.energy(&links);
     let mut check = |labelling: &Labelling, gain: i64| {
         let now = labelling.energy(&links);

@@ -48,18 +48,23 @@ const PILE: f64 = 0.08;
 /// Median of the residuals in σ, of whole neighbourhoods and of the smaller ones: below one as that
 /// of χ is, and as the best of several families is taken.
 const MEDIANS: [f64; 2] = [0.94, 0.85];
-/// Widest rounding of coordinates, in spacings, that is told from points placed on a lattice.
+/// Widest rounding of coordinates, in spacings, that a few residuals tell from points placed on a lattice.
 const ROUNDING: f64 = 0.2;
+/// And the widest at all: at more, points fall on each other, and are as far apart as if they were placed there.
+const COARSE: f64 = 0.7;
+/// Share of the residuals that rounding must have left where it is wider than [`ROUNDING`]: those of faces placed on
+/// a lattice are exact, but for neighbourhoods over edges.
+const MOSTLY: f64 = 0.5;
 
 /// Standard deviation σ of the points off their surfaces, at least `floor`, below which differences
-/// do not matter; and whether they are off because their coordinates were rounded. A few thousand small fits, whatever the size of the cloud.
+/// do not matter; and the step their coordinates were rounded to, 0 where they were not. A few thousand small fits, whatever the size of the cloud.
 pub fn noise(
     points: &[Point],
     tree: &KdTree,
     graph: &Neighbourhoods,
     spacing: f64,
     floor: f64,
-) -> (f64, bool) {
+) -> (f64, f64) {
     let fine = FEW_EXACT * floor;
     let rounding = rounding(points, spacing, floor);
     let [mut whole, mut few] = [const { Vec::new() }; 2];
@@ -92,9 +97,13 @@ pub fn noise(
     whole.sort_unstable_by(f64::total_cmp);
     few.sort_unstable_by(f64::total_cmp);
     if let Some(step) = rounding {
-        let shown = shown_within(&whole, step) + shown_within(&few, step);
-        if shown >= FEWEST_EXACT.1 {
-            return ((step / 12f64.sqrt()).max(floor), true);
+        let is_shown = if step <= ROUNDING * spacing {
+            shown_within(&whole, step) + shown_within(&few, step) >= FEWEST_EXACT.1
+        } else {
+            shown_within(&whole, step) as f64 >= MOSTLY * whole.len() as f64
+        };
+        if is_shown {
+            return ((step / 12f64.sqrt()).max(floor), step);
         }
     }
     let (share, least) = FEWEST_EXACT;
@@ -103,7 +112,7 @@ pub fn noise(
         exact += on_thin_shells(points, tree, &inexact, fine, enough - exact);
     }
     if exact >= enough {
-        return (floor, false);
+        return (floor, 0.0);
     }
     let piles = [lowest_pile(&whole), lowest_pile(&few)];
     let noise = match [
@@ -115,7 +124,7 @@ pub fn noise(
         [Some(whole), _] => whole,
         [None, few] => few.unwrap_or_else(|| quantile(&mut whole, 0.3)),
     };
-    (noise.max(floor), false)
+    (noise.max(floor), 0.0)
 }
 
 /// Indices in an order of which every beginning is spread evenly over all of them.
@@ -268,17 +277,35 @@ fn lowest_pile(residuals: &[f64]) -> Option<f64> {
 }
 
 /// The step of the decimal lattice that all coordinates are on: those of a file written with few
-/// digits. `None` where it is finer than matters, or so wide that points may have been placed on it.
+/// digits. `None` where it is finer than matters, or points have been placed on it: then they are nowhere nearer
+/// each other than its steps, or those few of its steps that they all keep to.
 fn rounding(points: &[Point], spacing: f64, floor: f64) -> Option<f64> {
-    let highest = libm::log10(ROUNDING * spacing).floor();
+    let highest = libm::log10(COARSE * spacing).floor();
     let is_on = |x: f64, step: f64| {
         let place = x / step;
         (place - place.round()).abs() <= 1e-6 + 4.0 * f64::EPSILON * place.abs()
     };
-    (0..12)
+    let step = (0..12)
         .map(|digits| libm::pow(10f64, highest - f64::from(digits)))
         .take_while(|step| *step > floor)
-        .find(|&step| points.iter().all(|p| p.iter().all(|&x| is_on(x, step))))
+        .find(|&step| points.iter().all(|p| p.iter().all(|&x| is_on(x, step))))?;
+    let kept_to = (0..3).map(|axis| step * common_steps(points, axis, step));
+    (kept_to.fold(f64::INFINITY, f64::min) <= COARSE * spacing).then_some(step)
+}
+
+/// The largest number of steps of which all distances along an axis are multiples; infinite where there are none.
+fn common_steps(points: &[Point], axis: usize, step: f64) -> f64 {
+    let mut common = 0.0f64;
+    for point in points {
+        let mut rest = ((point[axis] - points[0][axis]) / step).round().abs();
+        while rest > 0.0 {
+            (common, rest) = (rest, common % rest);
+        }
+        if common == 1.0 {
+            break;
+        }
+    }
+    if common > 0.0 { common } else { f64::INFINITY }
 }
 
 /// How many of the residuals, which are sorted, rounding to a step may have left. Faces along the

@@ -191,7 +191,7 @@ fn surfaces_that_nobody_would_call_by_their_name_are_not_plausible() {
     let search = search(&cloud);
     let tube = |radius| Surface::Cylinder(Cylinder::new(Point::origin(), Vector::z(), radius));
     assert!(search.is_plausible(&tube(5.0)));
-    assert!(!search.is_plausible(&tube(21.0 * search.scale.diameter)));
+    assert!(!search.is_plausible(&tube(31.0 * search.scale.diameter)));
     assert!(!search.is_plausible(&tube(search.scale.tolerance)));
     assert!(!search.is_plausible(&tube(f64::NAN)));
 }
