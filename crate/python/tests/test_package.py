@@ -82,7 +82,7 @@ def test_a_broken_file_is_an_exception_with_file_line_and_what_to_do(tmp_path):
 
 
 def test_absent_and_ambiguous_paths_are_said(tmp_path):
-    with pytest.raises(fit4cad.InputError, match="it is not there"):
+    with pytest.raises(fit4cad.InputError, match="there is no such file or folder"):
         fit4cad.read(tmp_path / "nothing.ply")
     for name in ("a", "b"):
         fit4cad.write(fit4cad.generate("plate", spacing=0.05, name=name), tmp_path)
@@ -237,4 +237,4 @@ def test_the_command_line_says_what_is_wrong(tmp_path):
     failed = run("fit", "x", "--method", "ht", "--tolerance", "9", "--json")
     assert failed.returncode == 2 and "from 0 to 0.05" in failed.stderr and '"error"' in failed.stdout
     absent = run("score", "nowhere")
-    assert absent.returncode == 1 and "nowhere: error: it is not there" in absent.stderr
+    assert absent.returncode == 1 and "nowhere: error: there is no such file or folder" in absent.stderr
