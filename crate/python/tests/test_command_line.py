@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import subprocess
@@ -90,6 +91,8 @@ def steps(tmp_path_factory):
     out = tmp_path_factory.mktemp("steps")
     for part in PARTS[:2]:
         fit4cad.write(fit4cad.generate(part, spacing=0.02), out / f"{part}.step")
+    # Of one name twice, and packed.
+    (out / "flange.stp.gz").write_bytes(gzip.compress((out / "flange.step").read_bytes(), mtime=0))
     (out / "broken.stp").write_text("ISO-10303-21;")
     return out
 

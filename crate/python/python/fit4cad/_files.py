@@ -6,6 +6,7 @@ import contextlib
 import errno
 import io
 import os
+import re
 import stat
 import uuid
 import zipfile
@@ -30,6 +31,17 @@ DEPTH = 2
 MOST_UNPACKED = 4 << 30
 
 STEP = (".step", ".stp", ".p21")
+_STEP_FILE = re.compile(rf"(?:{'|'.join(map(re.escape, STEP))})(?:\.gz)?$", re.IGNORECASE)
+
+
+def is_step(path: str) -> bool:
+    """Whether a file is called as STEP files are, packed by gzip or not."""
+    return _STEP_FILE.search(path) is not None
+
+
+def name_of_part(path: str) -> str:
+    """The name of a STEP file without folders and endings: that of its model."""
+    return _STEP_FILE.sub("", re.split(r"[/\\]", path)[-1])
 
 
 @dataclass(frozen=True)
@@ -231,14 +243,14 @@ def grouped(
         path: (it.get("role"), it.get("model"), it.get("method"), it.get("first"))
         for path, it in (overrides or {}).items()
     }
-    steps = [file for file in files if imports and file.path.lower().endswith(STEP)]
-    own = {file.path: file for file in files if not (imports and file.path.lower().endswith(STEP))}
+    steps = [file for file in files if imports and is_step(file.path)]
+    own = {file.path: file for file in files if not (imports and is_step(file.path))}
     grouping = _engine.group(list(own), known)
     groups = [
         Group(name, tuple(Placed(own[path], role, method, first) for path, role, method, first in placed))
         for name, placed in grouping["models"]
     ]
-    groups += [Group(Path(file.path).stem, (), file) for file in steps]
+    groups += [Group(name_of_part(file.path), (), file) for file in steps]
     told = [unusable(path, reason, severity="warning") for path, reason in grouping["unplaced"]]
     return groups, told
 
@@ -276,7 +288,8 @@ def read(
     Files are told by their content, and by their names which is whose: the benchmark's own four, rows of points
     (``.txt .xyz .csv …``), PLY, PCD, NumPy, vertex groups, OBJ, STL, labels, all of them packed by gzip or in a
     folder or zip too, and STEP, of which the points are made here: ``points`` or ``spacing`` (mm), ``spread``
-    (``even`` or ``random``), ``least``, ``seed``, ``named`` and ``separate`` are then those of the command line.
+    (``even`` or ``random``), ``least``, ``seed``, ``named`` and ``separate`` are then those of the command line, and
+    ``bodies`` are the numbers of those that are wanted (``declared()["importOptions"]``).
 
     Among several models ``name`` chooses one. Segments that come without surfaces get them by least squares
     (``Model.fitted``). Raises :class:`InputError` with file, line and what to do where something that was needed

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
-import re
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Sequence
 
 from .. import _engine
 from .._declared import declared, names
 from .._errors import Diagnostic
-from .._files import STEP, File, texts_of, unusable, why_unread
+from .._files import STEP, File, is_step, name_of_part, texts_of, unusable, why_unread
 from .._model import Model
 from .._segmentation import Segmentation
 from .arguments import FORMATS, Option, UsageError, choice, declared_option, format_of, number, numbers_of, read_arguments, some
@@ -23,8 +22,6 @@ from .terminal import NotWritten, clear, make_folder, print_text, progress, tell
 
 Row = dict[str, Any]
 
-#: What STEP files are called, packed by gzip or not.
-_ENDING = re.compile(rf"(?:{'|'.join(map(re.escape, STEP))})(?:\.gz)?$", re.IGNORECASE)
 _CALLED = ", ".join(STEP)
 
 USAGE = "PATH… [--points N | --spacing MM] [options] [--out DIR] [--test SHARE] [--format table|json]"
@@ -57,7 +54,7 @@ def import_parts(args: Sequence[str]) -> int:
     make_folder(out)
     files, problems = found(paths)
     # What is named outright is tried whatever its name; of folders and zips only what is called like STEP.
-    parts = [file for file in files if _ENDING.search(file.path) or file.path in paths]
+    parts = [file for file in files if is_step(file.path) or file.path in paths]
     run = Run(asked, bodies, worn, out, test)
     for at, part in enumerate(parts):
         progress(f"importing {at + 1} of {len(parts)}: {os.path.basename(part.path)}")
@@ -162,7 +159,7 @@ class Run:
 
     def _name(self, path: str) -> str:
         """The name of the file, made one that no model before has."""
-        own = _engine.file_name(_ENDING.sub("", re.split(r"[/\\]", path)[-1]))
+        own = _engine.file_name(name_of_part(path))
         name, at = own, 2
         while name.lower() in self._names:
             name, at = f"{own}-{at}", at + 1
