@@ -5,8 +5,10 @@ from __future__ import annotations
 import gzip
 import json
 import re
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -130,6 +132,23 @@ def test_threads_change_nothing(both, scored):
     one = without_seconds(both("fit", scored, "--method", "ht", "--out", "one", "--json"))
     many = without_seconds(both("fit", scored, "--method", "ht", "--out", "many", "--json", "--jobs", "0"))
     assert many == one
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a signal ends a process at once")
+def test_ctrl_c_ends_the_threads_too(tmp_path):
+    model = fit4cad.generate("towers", spacing=0.004)
+    for at in range(12):
+        model.name = f"PC{at}"
+        fit4cad.write(model, tmp_path / "set")
+    command = [sys.executable, "-m", "fit4cad", "fit", "set", "--method", "ht", "--jobs", "2", "--out", "found"]
+    running = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    # It is made before the first model is read.
+    while not (tmp_path / "found").exists():
+        time.sleep(0.02)
+    time.sleep(1)
+    running.send_signal(signal.SIGINT)
+    out, told = running.communicate(timeout=60)
+    assert (running.returncode, out, told) == (130, b"", b"")
 
 
 @pytest.mark.parametrize("arguments", [["--method", "HT"], ["--method", "pg", "--seed", "7", "--sharp-quantile", "0.9"]])
