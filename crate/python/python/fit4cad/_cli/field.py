@@ -132,11 +132,10 @@ def _declared_conditions(files: Sequence[File]) -> dict[str, list[Row]]:
             continue
         manifest = _parsed(file)
         degradation, models = manifest.get("degradation"), manifest.get("models")
-        conditions = []
-        for by in _DEGRADATION if isinstance(degradation, dict) else ():
-            value = degradation.get(by)
-            if isinstance(value, (int, float)) and not isinstance(value, bool) and value >= 0:
-                conditions.append(_engine.declared_condition(by, float(value)))
+        given = degradation if isinstance(degradation, dict) else {}
+        values = [(by, given.get(by)) for by in _DEGRADATION]
+        known = [_engine.declared_condition(by, it) for by, it in values if isinstance(it, float) and it >= 0]
+        conditions = [condition for condition in known if condition is not None]
         for model in models if isinstance(models, list) else []:
             name = model.get("model") if isinstance(model, dict) else None
             if isinstance(name, str):
@@ -145,9 +144,14 @@ def _declared_conditions(files: Sequence[File]) -> dict[str, list[Row]]:
     return by_model
 
 
+def _refused(word: str) -> float:
+    raise ValueError(word)
+
+
 def _parsed(file: File) -> Row:
     try:
-        found = json.loads(file.read().decode("utf-8", "replace"))
+        # Whole numbers of any length are numbers, and what is no JSON is none.
+        found = json.loads(file.read().decode("utf-8", "replace"), parse_int=float, parse_constant=_refused)
     except (OSError, ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}

@@ -42,7 +42,8 @@ def field_sheets(results: Sequence[Row], field: Field) -> Sheets:
 
 def _unit(field: Field) -> str:
     """What a length is given in, in words."""
-    return next(each["unit"] for each in declared()["normalisations"] if each["name"] == field.normalisation)
+    units: list[str] = [each["unit"] for each in declared()["normalisations"] if each["name"] == field.normalisation]
+    return units[0]
 
 
 def _columns(field: Field) -> list[Column]:
@@ -100,7 +101,7 @@ def _places(spreads: Sequence[Row], field: Field) -> list[Sheet]:
             return "n/a" if place is None else str(place)
         return f"{place} (up {first - place})" if place < first else f"{place} (down {place - first})"
 
-    rows = [
+    rows: list[tuple[list[str], list[Value]]] = [
         ([each["method"], *(text(rank.get(each["method"]), ranks[0].get(each["method"])) for rank in ranks)], [])
         for each in spreads
     ]

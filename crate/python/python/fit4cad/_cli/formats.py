@@ -140,7 +140,8 @@ def _formula(term: Row) -> str:
         return f"{_formula(term['base'])}_{_grouped(_formula(term['index']))}"
     if kind == "under":
         return f"{_formula(term['operator'])}_{_grouped(_formula(term['range']))}"
-    return term["text"]
+    text: str = term["text"]
+    return text
 
 
 def _grouped(text: str) -> str:

@@ -141,8 +141,8 @@ class Run:
         texts = texts_of(model)
         given = [(role, role, None, None, len(text), text.encode) for role, text in texts.items()]
         again = _engine.read(name, given)
-        truth = None if again["truth"] is None else Segmentation(again["truth"], again["cloud"])
-        return Model(again["cloud"], truth, name=name).degraded(**self.wear, seed=self.seed), report
+        left = None if again["truth"] is None else Segmentation(again["truth"], again["cloud"])
+        return Model(again["cloud"], left, name=name).degraded(**self.wear, seed=self.seed), report
 
     def _write(self, source: str, content: bytes, model: Model, report: Row) -> None:
         folder = set_of(model.name, self.seed, self.test)
