@@ -286,6 +286,17 @@ def test_help_names_every_option_of_the_other(node, tmp_path):
         assert set(re.findall(r"(?<![\w-])--[a-z-]+", syntax)) <= set(re.findall(r"--[a-z-]+", own)), command
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no disk that is always full")
+def test_a_full_disk_and_a_reader_that_has_gone_are_borne(node):
+    for command in ([NODE, BIN], [sys.executable, "-m", "fit4cad"]):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([*command, "generate", "--list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        assert (done.returncode, done.stderr) == (1, "fit4cad: the result could not be printed: the disk is full\n")
+        gone = subprocess.Popen([*command, "score", "--help"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        gone.stdout.close()
+        assert (gone.stderr.read(), gone.wait()) == (b"", 0)
+
+
 def test_commands_of_the_standing_table_are_said_to_be_elsewhere(tmp_path):
     code, _, told = run([sys.executable, "-m", "fit4cad"], "verify", "results/x", cwd=tmp_path)
     assert code == 2 and "npx fit4cad alone" in told

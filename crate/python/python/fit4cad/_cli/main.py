@@ -11,7 +11,7 @@ from .. import _engine
 from .._errors import InputError
 from .arguments import UsageError, asks_for_json
 from .figures import json_text
-from .terminal import NotWritten, print_text, warn
+from .terminal import NotPrinted, NotWritten, print_text, warn
 
 #: By its name, the module of a command and what in it runs it.
 COMMANDS = {
@@ -37,7 +37,26 @@ def module_of(name: str) -> Any:
 
 def main(args: Sequence[str]) -> int:
     """Runs the command line; gives the exit code."""
-    args = list(args)
+    try:
+        return _run(list(args))
+    except BrokenPipeError:
+        # The reader has gone (`fit4cad … | head`).
+        _be_silent()
+        return 0
+    except NotPrinted as error:
+        warn(f"fit4cad: {error}")
+        _be_silent()
+        return _FAILED
+    except KeyboardInterrupt:
+        return _INTERRUPTED
+
+
+def _be_silent() -> None:
+    """Nothing more is to be said on stdout, at the end neither."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _run(args: list[str]) -> int:
     if not args:
         warn(_help("fit4cad").rstrip("\n"))
         return _USAGE
@@ -64,12 +83,6 @@ def _attempt(name: str, args: Sequence[str], run: Callable[[Sequence[str]], int]
         return _fail(who, args, _USAGE, str(error), f"Try fit4cad {name} --help.")
     except (NotWritten, InputError) as error:
         return _fail(who, args, _FAILED, str(error))
-    except BrokenPipeError:
-        # The reader of a pipe has gone (`fit4cad … | head`): nothing more is to be said, at the end neither.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
-    except KeyboardInterrupt:
-        return _INTERRUPTED
 
 
 def _fail(who: str, args: Sequence[str], code: int, message: str, advice: Optional[str] = None) -> int:

@@ -15,9 +15,21 @@ from .figures import printable
 _showing = False
 
 
+class NotPrinted(Exception):
+    """Nothing more can be printed; the message says why."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__(f"the result could not be printed: {why_unwritten(error)}")
+
+
 def print_text(text: str) -> None:
-    """Writes to stdout."""
-    _write(sys.stdout, text)
+    """Writes to stdout. Raises ``NotPrinted``, or ``BrokenPipeError`` where the reader of a pipe has gone."""
+    try:
+        _write(sys.stdout, text)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise NotPrinted(error) from error
 
 
 def _write(stream: Any, text: str) -> None:
