@@ -27,15 +27,12 @@ def main() -> None:
         many.Generated(parts[at % len(parts)], f"PC{at}", {**options, "seed": at + 1}) for at in range(given.models)
     ]
 
-    from dask.distributed import Client, LocalCluster
-
     with tempfile.TemporaryDirectory() as scratch:
         out = given.out or Path(scratch)
-        with LocalCluster(n_workers=given.workers, threads_per_worker=1, dashboard_address=None) as cluster:
-            with Client(cluster) as client:
-                # Once beforehand, so that what is measured is no start of processes.
-                many.score(tasks[: 2 * given.workers], Path(scratch) / "warm", client=client, batch=1)
-                summary = many.score(tasks, out, client=client)
+        with many.local(given.workers) as client:
+            # Once beforehand, so that what is measured is no start of processes.
+            many.score(tasks[: 2 * given.workers], Path(scratch) / "warm", client=client, batch=1)
+            summary = many.score(tasks, out, client=client)
         print(summary)
         rows = many.read(out).select(["model", "DSC", "seconds"]).to_pylist()
         mean = sum(row["DSC"] for row in rows) / len(rows)

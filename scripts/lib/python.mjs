@@ -11,7 +11,6 @@ const OLDEST = [3, 9];
 const MANIFEST = join(ROOT, "crate/python/Cargo.toml");
 const WHEELS = join(ROOT, "target/wheels");
 const VENV = join(TOOLS, "python");
-const FOLDER = join(VENV, process.platform === "win32" ? "Scripts" : "bin");
 
 /** What builds and tests; without it nothing is done. */
 const NEEDED = ["maturin==1.16.0", "numpy", "pytest"];
@@ -19,11 +18,18 @@ const NEEDED = ["maturin==1.16.0", "numpy", "pytest"];
 const WELCOME = ["pandas", "pyarrow", "dask[distributed]", "tqdm", "matplotlib", "nbclient", "nbformat", "ipykernel"];
 
 /**
- * A command of the virtual environment.
+ * A command of a virtual environment.
  * @param {string} name
+ * @param {string} venv
  */
-function own(name) {
-  return join(FOLDER, process.platform === "win32" ? `${name}.exe` : name);
+function own(name, venv = VENV) {
+  const [folder, ending] = process.platform === "win32" ? ["Scripts", ".exe"] : ["bin", ""];
+  return join(venv, folder, name + ending);
+}
+
+/** The Python of the checkout's own environment, which has the wheel that was built last. */
+export function pythonOf() {
+  return own("python");
 }
 
 /** A Python that can make virtual environments, as the words that start it; undefined where there is none. */
@@ -84,9 +90,30 @@ export async function buildWheel(profile) {
 /** Tests the package as it is installed from a wheel. */
 export async function testPython() {
   await buildWheel("dev");
+  return pytest(own("python"), true);
+}
+
+/**
+ * Tests a wheel as somebody has it who installs it: in a fresh environment, with what it asks for and no more.
+ * @param {string} wheel
+ */
+export async function testWheel(wheel) {
+  const clean = join(WHEELS, "clean");
+  const python = own("python", clean);
+  rmSync(clean, { recursive: true, force: true });
+  await run(own("python"), ["-m", "venv", clean]);
+  await run(python, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", wheel, "pytest"]);
+  return pytest(python, false);
+}
+
+/**
+ * @param {string} python whose packages are tested
+ * @param {boolean} capture whether what the tests say is given back, and not shown
+ */
+function pytest(python, capture) {
   // Outside the sources, so that what is imported is what the wheel put there.
-  return run(own("python"), ["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", join(ROOT, "crate/python/tests")], {
-    capture: true,
+  return run(python, ["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", join(ROOT, "crate/python/tests")], {
+    capture,
     cwd: join(ROOT, "target"),
     env: { FIT4CAD_NODE: process.execPath, PYTHONDONTWRITEBYTECODE: "1" },
   });

@@ -1,7 +1,6 @@
 //! What the options of an import are, for every face that offers them.
 
-use fit4cad::sample::MAX_POINTS;
-use fit4cad_step::{Amount, Options};
+use fit4cad_step as step;
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;
@@ -40,73 +39,42 @@ pub struct OptionInfo {
     pub explanation: String,
 }
 
+impl From<step::OptionValue> for OptionKind {
+    fn from(value: step::OptionValue) -> Self {
+        match value {
+            step::OptionValue::Number {
+                minimum,
+                maximum,
+                whole,
+            } => Self::Number {
+                minimum,
+                maximum,
+                whole,
+            },
+            step::OptionValue::Choice { words } => Self::Choice { words },
+            step::OptionValue::Flag => Self::Flag,
+        }
+    }
+}
+
+impl From<step::OptionInfo> for OptionInfo {
+    fn from(info: step::OptionInfo) -> Self {
+        Self {
+            name: info.name,
+            value: info.value.into(),
+            explanation: info.explanation,
+        }
+    }
+}
+
 /// The options of an import.
 ///
 /// # Errors
 /// None in practice: plain values always cross.
 #[wasm_bindgen(js_name = importOptions, unchecked_return_type = "OptionInfo[]")]
 pub fn import_options() -> Result<Vec<Ts<OptionInfo>>, JsError> {
-    let usual = Options::default();
-    let share = match usual.amount {
-        Amount::Share(share) => format!("{} % of the diagonal", 100.0 * share),
-        Amount::Spacing(spacing) => format!("{spacing} mm"),
-        Amount::Points(points) => format!("that of {points} points"),
-    };
-    let whole = |minimum: f64, maximum: f64| OptionKind::Number {
-        minimum,
-        maximum,
-        whole: true,
-    };
-    let options = [
-        OptionInfo {
-            name: "points",
-            value: whole(10.0, MAX_POINTS as f64),
-            explanation: "How many points, on all faces together, in place of a spacing.".to_owned(),
-        },
-        OptionInfo {
-            name: "spacing",
-            value: OptionKind::Number {
-                minimum: f64::MIN_POSITIVE,
-                maximum: fit4cad::cloud::LARGEST,
-                whole: false,
-            },
-            explanation: format!(
-                "About how far neighbouring points lie apart, in millimetres (default: {share}, as in the benchmark)."
-            ),
-        },
-        OptionInfo {
-            name: "spread",
-            value: OptionKind::Choice {
-                words: vec!["even", "random"],
-            },
-            explanation: "even: all neighbours at about one distance, as in the benchmark; random: every place as likely, as samplers of meshes give them.".to_owned(),
-        },
-        OptionInfo {
-            name: "least",
-            value: whole(0.0, 10_000.0),
-            explanation: format!(
-                "Fewest points of a face, however small it is (default {}).",
-                usual.least
-            ),
-        },
-        OptionInfo {
-            name: "seed",
-            value: whole(0.0, 4_294_967_295.0),
-            explanation: format!("Seed of everything random (default {}).", usual.seed),
-        },
-        OptionInfo {
-            name: "named",
-            value: OptionKind::Flag,
-            explanation: "Free-form faces stay unsegmented, also those that are planes, cylinders, cones, spheres or tori within a millionth of the part.".to_owned(),
-        },
-        OptionInfo {
-            name: "separate",
-            value: OptionKind::Flag,
-            explanation: "Faces of one surface that touch stay primitives of their own; in the benchmark they are one.".to_owned(),
-        },
-    ];
+    let options = step::import_options().into_iter().map(OptionInfo::from);
     options
-        .iter()
         .map(|option| option.into_ts().map_err(JsError::from))
         .collect()
 }

@@ -1,7 +1,6 @@
 //! Clouds and segments that are one primitive each.
 
-use fit4cad::cloud::Point;
-use fit4cad::fit::single::{Verdict, fit_single};
+use fit4cad::fit::single::{Recognised, Verdict, recognise};
 use fit4cad::format::write_answer;
 use fit4cad::model::{Primitive, Segmentation};
 use serde::Serialize;
@@ -78,32 +77,24 @@ impl Model {
     /// None in practice: plain values always cross.
     #[wasm_bindgen(js_name = fitSingle)]
     pub fn fit_single(&mut self) -> Result<Ts<Singles>, JsError> {
-        let cloud = &self.model.cloud;
-        let groups: Vec<(u32, Vec<u32>)> = match &self.model.truth {
-            Some(truth) => {
-                let primitives = truth.primitives.iter();
-                let groups = primitives.map(|it| (it.number, it.points.clone()));
-                groups.filter(|(_, points)| !points.is_empty()).collect()
-            }
-            None => vec![(1, (0u32..).take(cloud.len()).collect())],
-        };
+        let recognised = recognise(&self.model.cloud, self.model.truth.as_ref());
         let (mut segments, mut segmentation) = (Vec::new(), Segmentation::default());
-        for (number, listed) in groups {
-            let points = listed.iter();
-            let points: Vec<Point> = points
-                .filter_map(|&index| cloud.points().get(index as usize).copied())
-                .collect();
-            let single = fit_single(&points, &[]);
+        for Recognised {
+            number,
+            points,
+            single,
+        } in recognised
+        {
             let second = single.others.first().unwrap_or(&single.best);
             segments.push(SingleInfo {
                 number,
-                points: listed.len() as u32,
+                points: points.len() as u32,
                 best: VerdictInfo::from(&single.best),
                 runner_up: VerdictInfo::from(second),
                 margin: single.margin,
                 answer: write_answer(&single.best.surface),
             });
-            let primitive = Primitive::on(single.best.surface, number, listed);
+            let primitive = Primitive::on(single.best.surface, number, points);
             segmentation.primitives.push(primitive);
         }
         let method = self.free_name("SINGLE");

@@ -1,10 +1,14 @@
-//! What the engine declares, as the wasm boundary hands it to page and command line, without the formulas.
+//! What the engine declares, as the wasm boundary hands it to page and command line.
 
 use fit4cad::export::Export;
+use fit4cad::metrics::field::By;
 use fit4cad::metrics::geometry::{Normalisation, Scale};
-use fit4cad::metrics::{Better, Figure, FigureGroup, Group, Measure, Protocol};
+use fit4cad::metrics::{
+    Better, DIFFERENCES, Figure, FigureGroup, Group, Measure, Protocol, Term, recognition,
+};
 use fit4cad::surface::{OTHER, SurfaceType};
 use fit4cad::{fit, format, sample};
+use fit4cad_step::{OptionValue, import_options};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -59,6 +63,11 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
             "rules" => protocol.rules(),
             "meaning" => protocol.meaning(),
         )),
+        "protocolDifferences" => list!(py; DIFFERENCES, |each| dict!(py;
+            "what" => each.what,
+            "definition" => each.definition,
+            "published" => each.published,
+        )),
         "figures" => figures(py)?,
         "normalisations" => list!(py; Normalisation::ALL, |each| dict!(py;
             "name" => each.name(),
@@ -68,6 +77,21 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         "figureScale" => dict!(py;
             "normalisation" => scale.normalisation.name(),
             "epsilon" => scale.epsilon,
+        ),
+        "strata" => list!(py; By::ALL, |by| dict!(py;
+            "name" => by.name(),
+            "title" => by.title(),
+            "how" => by.how(),
+            "isCondition" => by.is_condition(),
+            "strata" => by.strata(),
+        )),
+        "recognition" => dict!(py;
+            "key" => recognition::INFO.key,
+            "title" => recognition::INFO.title,
+            "definition" => recognition::INFO.definition,
+            "rewards" => recognition::INFO.rewards,
+            "trap" => recognition::INFO.trap,
+            "source" => recognition::INFO.source,
         ),
         "surfaceTypes" => list!(py; SurfaceType::ALL, |kind| dict!(py;
             "name" => kind.name(),
@@ -109,11 +133,55 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
             "meaning" => export.meaning(),
             "ofSurfaces" => export.is_of_surfaces(),
         )),
+        "importOptions" => list!(py; import_options(), |option| dict!(py;
+            "name" => option.name,
+            "value" => kind_of_value(py, option.value)?,
+            "explanation" => option.explanation,
+        )),
         "limits" => dict!(py;
             "fileBytes" => format::limits::MAX_FILE_BYTES,
             "points" => format::limits::MAX_POINTS,
         ),
     ))
+}
+
+fn kind_of_value(py: Python<'_>, value: OptionValue) -> PyResult<Bound<'_, PyDict>> {
+    Ok(match value {
+        OptionValue::Number {
+            minimum,
+            maximum,
+            whole,
+        } => dict!(py;
+            "kind" => "number",
+            "minimum" => minimum,
+            "maximum" => maximum,
+            "whole" => whole,
+        ),
+        OptionValue::Choice { words } => dict!(py; "kind" => "choice", "words" => words),
+        OptionValue::Flag => dict!(py; "kind" => "flag"),
+    })
+}
+
+/// A part of a formula, as the wasm boundary hands it over.
+fn term(py: Python<'_>, said: Term) -> PyResult<Bound<'_, PyDict>> {
+    Ok(match said {
+        Term::Word(text) => dict!(py; "kind" => "word", "text" => text),
+        Term::Variable(text) => dict!(py; "kind" => "variable", "text" => text),
+        Term::Number(number) => dict!(py; "kind" => "number", "text" => number.to_string()),
+        Term::Operator(text) => dict!(py; "kind" => "operator", "text" => text),
+        Term::Row(terms) => {
+            dict!(py; "kind" => "row", "terms" => list!(py; terms, |each| term(py, each)?))
+        }
+        Term::Fraction(over, under) => {
+            dict!(py; "kind" => "fraction", "over" => term(py, *over)?, "under" => term(py, *under)?)
+        }
+        Term::Sub(base, index) => {
+            dict!(py; "kind" => "sub", "base" => term(py, *base)?, "index" => term(py, *index)?)
+        }
+        Term::Under(operator, range) => {
+            dict!(py; "kind" => "under", "operator" => term(py, *operator)?, "range" => term(py, *range)?)
+        }
+    })
 }
 
 fn measures(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
@@ -126,6 +194,8 @@ fn measures(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
                 Group::Classification => "classification",
                 Group::Accuracy => "accuracy",
             },
+            "symbol" => term(py, info.symbol)?,
+            "formula" => term(py, info.formula)?,
             "meaning" => info.meaning,
             "range" => info.range,
             "most" => info.most,

@@ -58,6 +58,12 @@ pub(crate) fn path_of(
     Ok(format::path_of(layout, model, role_of(role)?, method))
 }
 
+/// A name as one of a file or folder that every file system takes.
+#[pyfunction]
+pub(crate) fn file_name(name: &str) -> String {
+    format::file_name(name)
+}
+
 /// A segmentation in a form of another program. The colours are red, green and blue, of points of no
 /// primitive and then of the primitives in their order.
 #[pyfunction]

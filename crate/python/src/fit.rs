@@ -5,13 +5,14 @@ use std::time::{Duration, Instant};
 
 use fit4cad::fit::parameters::TABLE;
 use fit4cad::fit::single::fit_segments as segments;
-use fit4cad::fit::single::{Verdict, fit_single as single};
+use fit4cad::fit::single::recognise as each;
+use fit4cad::fit::single::{Single, Verdict, fit_single as single};
 use fit4cad::fit::{Cancelled, Method, Observer, Parameters, Stage, fit as engine};
 use fit4cad::format::write_answer;
 use fit4cad::model::{self, Primitive};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
 
 use crate::cloud::Cloud;
 use crate::dict::{dict, refused};
@@ -112,17 +113,46 @@ pub(crate) fn fit_single<'py>(
             .filter_map(|&at| all.get(at as usize).copied());
         single(&points.collect::<Vec<_>>(), &kinds)
     });
+    let dict = single_to_dict(py, number, listed.len(), &found)?;
+    let primitives = vec![Primitive::on(found.best.surface, number, listed)];
+    Ok((dict, model::Segmentation { primitives }.into()))
+}
+
+/// Takes each segment, or the whole cloud where there are none, for one primitive: what each is, and a
+/// segmentation of them.
+#[pyfunction]
+#[pyo3(signature = (cloud, segments))]
+pub(crate) fn recognise<'py>(
+    py: Python<'py>,
+    cloud: &Cloud,
+    segments: Option<&Segmentation>,
+) -> PyResult<(Bound<'py, PyList>, Segmentation)> {
+    let segments = segments.map(|it| &it.segmentation);
+    let found = py.detach(|| each(&cloud.cloud, segments));
+    let (list, mut primitives) = (PyList::empty(py), Vec::new());
+    for it in found {
+        list.append(single_to_dict(py, it.number, it.points.len(), &it.single)?)?;
+        let surface = it.single.best.surface;
+        primitives.push(Primitive::on(surface, it.number, it.points));
+    }
+    Ok((list, model::Segmentation { primitives }.into()))
+}
+
+fn single_to_dict<'py>(
+    py: Python<'py>,
+    number: u32,
+    points: usize,
+    found: &Single,
+) -> PyResult<Bound<'py, PyDict>> {
     let second = found.others.first().unwrap_or(&found.best);
-    let dict = dict!(py;
+    Ok(dict!(py;
         "number" => number,
-        "points" => listed.len(),
+        "points" => points,
         "best" => verdict(py, &found.best)?,
         "runnerUp" => verdict(py, second)?,
         "margin" => found.margin,
         "answer" => write_answer(&found.best.surface),
-    );
-    let primitives = vec![Primitive::on(found.best.surface, number, listed)];
-    Ok((dict, model::Segmentation { primitives }.into()))
+    ))
 }
 
 fn verdict<'py>(py: Python<'py>, verdict: &Verdict) -> PyResult<Bound<'py, PyDict>> {

@@ -7,6 +7,7 @@
 mod audit;
 mod batch;
 mod cloud;
+mod comparison;
 mod declared;
 mod diagnostic;
 mod dict;
@@ -14,11 +15,13 @@ mod export;
 mod files;
 mod fit;
 mod part;
+mod recognition;
 mod report;
 mod score;
 mod segmentation;
 mod statistics;
 mod step;
+mod strata;
 mod surface;
 
 use pyo3::prelude::*;
@@ -33,17 +36,21 @@ mod _engine {
     #[pymodule_export]
     use crate::cloud::Cloud;
     #[pymodule_export]
+    use crate::comparison::compare_figures;
+    #[pymodule_export]
     use crate::declared::declarations;
     #[pymodule_export]
     use crate::diagnostic::one_line;
     #[pymodule_export]
-    use crate::export::{export, path_of, write};
+    use crate::export::{export, file_name, path_of, write};
     #[pymodule_export]
     use crate::files::{group, read};
     #[pymodule_export]
-    use crate::fit::{fit, fit_segments, fit_single};
+    use crate::fit::{fit, fit_segments, fit_single, recognise};
     #[pymodule_export]
     use crate::part::{degrade, generate, imperfect};
+    #[pymodule_export]
+    use crate::recognition::{rates, segments};
     #[pymodule_export]
     use crate::score::{distribution, field, score, summarise};
     #[pymodule_export]
@@ -52,6 +59,8 @@ mod _engine {
     use crate::statistics::{statistics, statistics_of};
     #[pymodule_export]
     use crate::step::{export_step, import_step};
+    #[pymodule_export]
+    use crate::strata::{conditions, declared_condition};
     #[pymodule_export]
     use crate::surface::{distances, surface_of};
 

@@ -131,10 +131,18 @@ pub(crate) fn counted<'py>(
     py: Python<'py>,
     types: &fit4cad::statistics::TypeCounts,
 ) -> PyResult<Bound<'py, PyDict>> {
+    by_type(py, *types)
+}
+
+/// Values by type, in the order of the types, the last of what is of none.
+pub(crate) fn by_type<'py, T: IntoPyObject<'py>>(
+    py: Python<'py>,
+    values: impl IntoIterator<Item = T>,
+) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     let names = SurfaceType::ALL.map(SurfaceType::name).into_iter();
-    for (name, count) in names.chain([OTHER]).zip(types) {
-        dict.set_item(name, count)?;
+    for (name, value) in names.chain([OTHER]).zip(values) {
+        dict.set_item(name, value)?;
     }
     Ok(dict)
 }

@@ -8,13 +8,36 @@ use pyo3::types::PyDict;
 use crate::cloud::Cloud;
 use crate::dict::dict;
 use crate::score::spread;
-use crate::segmentation::{Segmentation, counted};
+use crate::segmentation::{Segmentation, by_type, counted};
 
 /// One model in numbers.
 #[pyclass(frozen, module = "fit4cad._engine")]
 #[derive(Debug)]
 pub(crate) struct Counted {
     counted: ModelStatistics,
+}
+
+#[pymethods]
+impl Counted {
+    /// With the keys of the command line's JSON.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let model = &self.counted;
+        let dict = dict!(py;
+            "name" => &model.name,
+            "points" => model.points,
+            "primitives" => model.primitives(),
+        );
+        // What cannot be had is not there.
+        if let Some(segmented) = model.segmented {
+            dict.set_item("segmented", segmented)?;
+        }
+        if let Some(unsegmented) = model.unsegmented() {
+            dict.set_item("unsegmented", unsegmented)?;
+        }
+        dict.set_item("shared", model.shared)?;
+        dict.set_item("types", counted(py, &model.types)?)?;
+        Ok(dict)
+    }
 }
 
 /// Counts a model.
@@ -48,8 +71,9 @@ pub(crate) fn statistics<'py>(
         "points" => found.points,
         "primitives" => found.primitives,
         "types" => counted(py, &found.types)?,
-        "unsegmented" => found.unsegmented,
+        "typeShares" => found.type_shares().map(|shares| by_type(py, shares)).transpose()?,
         "shared" => found.shared,
+        "unsegmented" => found.unsegmented,
         "pointsPerModel" => over(found.points_per_model)?,
         "primitivesPerModel" => over(found.primitives_per_model)?,
         "unsegmentedPerModel" => over(found.unsegmented_per_model)?,

@@ -166,5 +166,5 @@ def test_bags_are_inputs_too_and_what_is_wrong_is_said_at_once(client, tmp_path)
         many.score(generated(1), tmp_path, client=client, protocol="fair")
     with pytest.raises(ValueError, match="there are tolerance"):
         many.fit(generated(1), tmp_path, client=client, tolerence=1)
-    with pytest.raises(fit4cad.InputError, match="it is not there"):
+    with pytest.raises(fit4cad.InputError, match="there is no such file or folder"):
         many.score(tmp_path / "nowhere", tmp_path, client=client)

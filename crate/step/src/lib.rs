@@ -10,6 +10,7 @@
 #[macro_use]
 extern crate fit4cad_testing;
 
+mod declared;
 mod document;
 mod error;
 mod face;
@@ -26,6 +27,7 @@ mod sampling;
 mod units;
 mod write;
 
+pub use declared::{OptionInfo, OptionValue, import_options};
 pub use document::{Document, Progress};
 pub use error::{StepError, Trouble};
 pub use file::LARGEST_FILE;

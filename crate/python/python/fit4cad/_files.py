@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import os
+import re
 import stat
-import tempfile
+import uuid
 import zipfile
 import zlib
 from dataclasses import dataclass
@@ -29,6 +31,17 @@ DEPTH = 2
 MOST_UNPACKED = 4 << 30
 
 STEP = (".step", ".stp", ".p21")
+_STEP_FILE = re.compile(rf"(?:{'|'.join(map(re.escape, STEP))})(?:\.gz)?$", re.IGNORECASE)
+
+
+def is_step(path: str) -> bool:
+    """Whether a file is called as STEP files are, packed by gzip or not."""
+    return _STEP_FILE.search(path) is not None
+
+
+def name_of_part(path: str) -> str:
+    """The name of a STEP file without folders and endings: that of its model."""
+    return _STEP_FILE.sub("", re.split(r"[/\\]", path)[-1])
 
 
 @dataclass(frozen=True)
@@ -63,8 +76,35 @@ def unusable(file: str, message: str, hint: str = "", severity: str = "error") -
     return Diagnostic(severity, file, message, hint=hint)
 
 
-def _reason(error: OSError) -> str:
-    return (error.strerror or str(error)).lower() if not isinstance(error, FileNotFoundError) else "it is not there"
+_COMMON = {
+    errno.ENOENT: "there is no such file or folder",
+    errno.ELOOP: "it is a loop of links",
+    errno.EISDIR: "it is a folder",
+    errno.ENOTDIR: "a part of its path is a file, not a folder",
+    errno.EEXIST: "a part of its path is a file, not a folder",
+    errno.ENAMETOOLONG: "its name is too long",
+    errno.EIO: "the disk failed",
+}
+_READING = {**_COMMON, errno.EACCES: "reading it is not permitted", errno.EPERM: "reading it is not permitted"}
+_WRITING = {
+    **_COMMON,
+    errno.EACCES: "writing it is not permitted",
+    errno.EPERM: "writing it is not permitted",
+    errno.EROFS: "what is there can only be read",
+    errno.ENOSPC: "the disk is full",
+    getattr(errno, "EDQUOT", errno.ENOSPC): "the disk is full",
+    errno.EFBIG: "it is larger than a file may be",
+}
+
+
+def why_unread(error: OSError) -> str:
+    """Why something could not be read, in the words of the command line."""
+    return _READING.get(error.errno or 0) or error.strerror or str(error)
+
+
+def why_unwritten(error: OSError) -> str:
+    """Why something could not be written."""
+    return _WRITING.get(error.errno or 0) or error.strerror or str(error)
 
 
 def collect(paths: Iterable[StrPath]) -> tuple[list[File], list[Diagnostic]]:
@@ -98,7 +138,7 @@ def _visit(path: str, files: dict[str, File], problems: list[Diagnostic]) -> Non
         else:
             files.setdefault(key, File(path, about.st_size, (path,)))
     except OSError as error:
-        problems.append(unusable(path, _reason(error)))
+        problems.append(unusable(path, why_unread(error)))
     except (zipfile.BadZipFile, ValueError) as error:
         problems.append(unusable(path, f"the zip is damaged: {error}", "Pack it again"))
 
@@ -184,7 +224,7 @@ def _imported(name: str, file: File, read: Callable[[], bytes], options: dict[st
     try:
         cloud, truth, report = _engine.import_step(name, read(), **options)
     except (ValueError, OSError) as error:
-        reason = _reason(error) if isinstance(error, OSError) else str(error)
+        reason = why_unread(error) if isinstance(error, OSError) else str(error)
         raise InputError(unusable(file.path, reason)) from error
     model = Model(cloud, None if truth is None else Segmentation(truth, cloud), name=name)
     model.imported = report
@@ -195,21 +235,22 @@ Overrides = Mapping[str, Mapping[str, Any]]
 
 
 def grouped(
-    files: list[File], overrides: Optional[Overrides] = None
+    files: list[File], overrides: Optional[Overrides] = None, *, imports: bool = True
 ) -> tuple[list[Group], list[Diagnostic]]:
-    """The models among the files, in the order people count, and what belongs to none."""
+    """The models among the files, in the order people count, and what belongs to none; as that counts a STEP file
+    that is not to be imported."""
     known = {
         path: (it.get("role"), it.get("model"), it.get("method"), it.get("first"))
         for path, it in (overrides or {}).items()
     }
-    steps = [file for file in files if file.path.lower().endswith(STEP)]
-    own = {file.path: file for file in files if not file.path.lower().endswith(STEP)}
+    steps = [file for file in files if imports and is_step(file.path)]
+    own = {file.path: file for file in files if not (imports and is_step(file.path))}
     grouping = _engine.group(list(own), known)
     groups = [
         Group(name, tuple(Placed(own[path], role, method, first) for path, role, method, first in placed))
         for name, placed in grouping["models"]
     ]
-    groups += [Group(Path(file.path).stem, (), file) for file in steps]
+    groups += [Group(name_of_part(file.path), (), file) for file in steps]
     told = [unusable(path, reason, severity="warning") for path, reason in grouping["unplaced"]]
     return groups, told
 
@@ -247,7 +288,8 @@ def read(
     Files are told by their content, and by their names which is whose: the benchmark's own four, rows of points
     (``.txt .xyz .csv …``), PLY, PCD, NumPy, vertex groups, OBJ, STL, labels, all of them packed by gzip or in a
     folder or zip too, and STEP, of which the points are made here: ``points`` or ``spacing`` (mm), ``spread``
-    (``even`` or ``random``), ``least``, ``seed``, ``named`` and ``separate`` are then those of the command line.
+    (``even`` or ``random``), ``least``, ``seed``, ``named`` and ``separate`` are then those of the command line, and
+    ``bodies`` are the numbers of those that are wanted (``declared()["importOptions"]``).
 
     Among several models ``name`` chooses one. Segments that come without surfaces get them by least squares
     (``Model.fitted``). Raises :class:`InputError` with file, line and what to do where something that was needed
@@ -278,22 +320,16 @@ def whole(path: StrPath) -> Iterator[Any]:
     """A file that is under its name only once it is complete."""
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
-    handle, part = tempfile.mkstemp(prefix=".fit4cad-", suffix=".part", dir=target.parent)
+    part = target.with_name(f".fit4cad-{uuid.uuid4().hex}.part")
     try:
-        with os.fdopen(handle, "wb") as stream:
+        # Made as any other file is: who may read it is the user's own affair.
+        with open(part, "xb") as stream:
             yield stream
-        os.chmod(part, 0o666 & ~_umask())
         os.replace(part, target)
     except BaseException:
         with contextlib.suppress(OSError):
             os.unlink(part)
         raise
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def write_whole(path: StrPath, content: Union[str, bytes]) -> Path:

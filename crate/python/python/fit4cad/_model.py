@@ -79,7 +79,7 @@ class Model:
         from ._declared import declared
 
         found = fit(self, method, seed=seed, progress=progress, **parameters)
-        title = next(each["title"] for each in declared()["fitters"] if each["name"] == method)
+        title: str = next(each["title"] for each in declared()["fitters"] if each["name"] == method)
         name, number = title, 2
         while name in self.submissions:
             name, number = f"{title} {number}", number + 1

@@ -110,7 +110,8 @@ class Report(Table):
 
     def rows(self) -> list[Row]:
         """A row for each true primitive."""
-        return self._dict["primitives"]
+        rows: list[Row] = self._dict["primitives"]
+        return rows
 
     def summary(self) -> Row:
         """One row for the whole submission, to be stacked over models."""
@@ -156,7 +157,8 @@ class FieldReport(Table):
 
     def rows(self) -> list[Row]:
         """A row for each true primitive."""
-        return self._dict["primitives"]
+        rows: list[Row] = self._dict["primitives"]
+        return rows
 
 
 @dataclass(frozen=True)
@@ -197,7 +199,8 @@ class Audit(Table):
 
     def rows(self) -> list[Row]:
         """A row for each finding."""
-        return self.to_dict()["findings"]
+        rows: list[Row] = self.to_dict()["findings"]
+        return rows
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,6 @@ import json
 import os
 import threading
 import time
-import uuid
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,15 +29,14 @@ from . import _engine
 from ._api import generate
 from ._files import Group, Placed, StrPath, collect, grouped, texts_of, write_whole
 from ._model import Model
+from ._parquet import Rows, read
 from ._segmentation import Segmentation
 from ._tables import Row, wanted
 
-__all__ = ["Generated", "Summary", "Task", "fit", "read", "score", "tasks"]
+__all__ = ["Generated", "Summary", "Task", "fit", "local", "read", "score", "tasks"]
 
 #: Bytes of a key that are compared: two of a million models have one in 10^27.
 KEY = 16
-#: A result is on disk after so many rows, or so many seconds, whichever comes first: what a cut run loses at most.
-ROWS, SECONDS = 2000, 10.0
 #: Beyond its time limit a model that does not listen is given this many times as long before its worker ends itself.
 PATIENCE = 2.0
 
@@ -190,19 +188,6 @@ def fit(
     return _run(tasks(inputs), Path(out), work, said, client, batch, time_limit, progress)
 
 
-def read(out: StrPath) -> Any:
-    """The rows of a run so far, as a ``pyarrow.Table``: all of its files, of this run and those before it."""
-    dataset = wanted("pyarrow.dataset")
-    parts = sorted(str(path) for path in Path(out).glob("part-*.parquet"))
-    arrow = wanted("pyarrow")
-    if not parts:
-        return arrow.table({})
-    schema = arrow.unify_schemas(
-        [dataset.dataset(part).schema for part in parts], promote_options="permissive"
-    )
-    return dataset.dataset(parts, schema=schema).to_table()
-
-
 _NOTHING = _engine.Cloud(np.zeros((0, 3)))
 _EMPTY = _engine.Segmentation.from_primitives(0, [])
 
@@ -295,39 +280,24 @@ def _work(
     return answers
 
 
-class _Rows:
-    """Rows on their way into Parquet files, each of them whole or not there."""
+#: What Dask's workers do by the clock beside their work, for a dashboard that nobody has open: a look a hundred times a
+#: second at where each of them is, and twice a second at its machine.
+_QUIET = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "1s",
+    "distributed.admin.system-monitor.interval": "2s",
+}
 
-    def __init__(self, out: Path) -> None:
-        self.out, self.rows, self.run = out, [], uuid.uuid4().hex[:12]  # type: ignore[var-annotated]
-        self.parts, self.since = itertools.count(), time.monotonic()
-        out.mkdir(parents=True, exist_ok=True)
 
-    def add(self, rows: list[Row]) -> None:
-        self.rows += rows
-        if len(self.rows) >= ROWS or (self.rows and time.monotonic() - self.since >= SECONDS):
-            self.flush()
-
-    def flush(self) -> None:
-        self.since = time.monotonic()
-        if not self.rows:
-            return
-        arrow, parquet = wanted("pyarrow"), wanted("pyarrow.parquet")
-        path = self.out / f"part-{self.run}-{next(self.parts):06}.parquet"
-        partial = path.with_name(f".{path.name}.partial")
-        columns = list(dict.fromkeys(name for row in self.rows for name in row))
-        table = arrow.Table.from_pylist([{name: row.get(name) for name in columns} for row in self.rows])
-        parquet.write_table(table, partial)
-        os.replace(partial, path)
-        self.rows = []
-
-    def known(self) -> frozenset[bytes]:
-        """The keys of the rows there are."""
-        parquet = wanted("pyarrow.parquet")
-        keys: set[bytes] = set()
-        for path in self.out.glob("part-*.parquet"):
-            keys.update(parquet.read_table(path, columns=["key"]).column("key").to_pylist())
-        return frozenset(keys - {b""})
+@contextlib.contextmanager
+def local(workers: Optional[int] = None) -> Iterator[Any]:
+    """A client of a cluster of this machine: so many processes of one thread each, as many as there are cores where
+    none is said. :func:`score` and :func:`fit` start one by themselves where they are given no client."""
+    distributed, dask = wanted("distributed"), wanted("dask")
+    with dask.config.set(_QUIET):
+        with distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster:
+            with distributed.Client(cluster) as client:
+                yield client
 
 
 def _client(given: Any) -> tuple[Any, Callable[[], None]]:
@@ -337,9 +307,8 @@ def _client(given: Any) -> tuple[Any, Callable[[], None]]:
     try:
         return distributed.get_client(), lambda: None
     except ValueError:
-        cluster = distributed.LocalCluster(threads_per_worker=1, dashboard_address=None)
-        client = distributed.Client(cluster)
-        return client, lambda: (client.close(), cluster.close())  # type: ignore[return-value]
+        stack = contextlib.ExitStack()
+        return stack.enter_context(local()), stack.close
 
 
 def _run(
@@ -354,7 +323,7 @@ def _run(
 ) -> Summary:
     distributed = wanted("distributed")
     settings = json.dumps([_engine.__version__, *said])
-    rows = _Rows(out)
+    rows = Rows(out)
     client, close = _client(client)
     start, done, known, failed = time.monotonic(), 0, 0, 0
     try:

@@ -118,6 +118,56 @@ pub fn fit_single(points: &[Point], kinds: &[SurfaceType]) -> Single {
     judge(found, &local, &frame)
 }
 
+/// One of several groups of points, each of which is one primitive.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recognised {
+    /// Its number; 1 for the whole cloud.
+    pub number: u32,
+    /// Its points, by index.
+    pub points: Vec<u32>,
+    /// What it is.
+    pub single: Single,
+}
+
+/// Takes each segment, or the whole cloud where there are none, for one primitive, as [`fit_single`] does.
+/// There is an answer for each that has points.
+///
+/// ```
+/// use fit4cad::fit::single::recognise;
+/// use fit4cad::sample::{Options, generate};
+/// let options = Options { spacing: 0.03, ..Options::default() };
+/// let model = generate("spool", &options)?;
+/// let found = recognise(&model.cloud, model.truth.as_ref());
+/// let truth = model.truth.unwrap_or_default();
+/// assert_eq!(found.len(), truth.primitives.len());
+/// let right = found.iter().zip(&truth.primitives);
+/// assert!(right.clone().all(|(it, _)| it.single.margin >= 1.0));
+/// assert!(right.filter(|(it, truth)| Some(it.single.best.surface.kind()) == truth.kind).count() > found.len() / 2);
+/// # Ok::<(), fit4cad::sample::SampleError>(())
+/// ```
+pub fn recognise(cloud: &Cloud, segments: Option<&Segmentation>) -> Vec<Recognised> {
+    let groups: Vec<(u32, Vec<u32>)> = match segments {
+        Some(segments) => {
+            let primitives = segments.primitives.iter();
+            let groups = primitives.map(|it| (it.number, it.points.clone()));
+            groups.filter(|(_, points)| !points.is_empty()).collect()
+        }
+        None => vec![(1, (0u32..).take(cloud.len()).collect())],
+    };
+    let recognised = groups.into_iter().map(|(number, points)| {
+        let own = points.iter();
+        let own: Vec<Point> = own
+            .filter_map(|&index| cloud.points().get(index as usize).copied())
+            .collect();
+        Recognised {
+            number,
+            single: fit_single(&own, &[]),
+            points,
+        }
+    });
+    recognised.collect()
+}
+
 /// Gives every primitive that has no surface the one its points lie on, of its own type where it has
 /// one; primitives without points stay as they are. Gives how many got one.
 ///
