@@ -73,6 +73,8 @@ test("the table is there before anything is dropped: sorted, shaded, compared, a
 
   await page.getByRole("radio", { name: "Clean and degraded" }).check({ force: true });
   await expect(rowNamed(page, "HT (playground)")).toContainText(scored("fit4cad-ht", "test-10-noise").summary.definition.DSC?.mean.toFixed(4) ?? "");
+  await expect(standing(page).getByRole("columnheader", { name: "DSC: uneven density" })).toBeVisible();
+  await expect(rowNamed(page, "PG (playground)")).toContainText(scored("fit4cad-pg", "test-10-density").summary.definition.DSC?.mean.toFixed(4) ?? "");
   await page.emulateMedia({ colorScheme: "dark" });
   await expectNoFindings(page, "table, dark");
   await page.setViewportSize({ width: 360, height: 740 });
