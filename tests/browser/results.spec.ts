@@ -73,6 +73,8 @@ test("the table is there before anything is dropped: sorted, shaded, compared, a
 
   await page.getByRole("radio", { name: "Clean and degraded" }).check({ force: true });
   await expect(rowNamed(page, "HT (playground)")).toContainText(scored("fit4cad-ht", "test-10-noise").summary.definition.DSC?.mean.toFixed(4) ?? "");
+  await expect(standing(page).getByRole("columnheader", { name: "DSC: uneven density" })).toBeVisible();
+  await expect(rowNamed(page, "PG (playground)")).toContainText(scored("fit4cad-pg", "test-10-density").summary.definition.DSC?.mean.toFixed(4) ?? "");
   await page.emulateMedia({ colorScheme: "dark" });
   await expectNoFindings(page, "table, dark");
   await page.setViewportSize({ width: 360, height: 740 });
@@ -110,6 +112,44 @@ test("a row is opened as claimed figures, which the same files verify to the las
   await drop(page, [join(files ?? "", "test_sample")]);
   await expect(banner).toContainText("Verified here. 10 shared results: the same files, scored on this computer, gave every digit.", { timeout: 90_000 });
   await picture(page, "results-verified");
+});
+
+test("the worst models are drawn once their files are on the page, and nothing else is called by their names", async ({ page }) => {
+  const files = benchmarkFiles();
+  test.skip(files === undefined, "the benchmark's files are not in ../shared/fit4cad");
+  await page.goto("./");
+  await drop(page, [join(files ?? "", "test_sample")]);
+  await page.getByRole("navigation").getByRole("link", { name: "Results", exact: true }).click();
+  await rowNamed(page, "HT (paper)").getByRole("button").click();
+  const worst = page.locator(".results-worst li");
+  await expect(worst).toHaveCount(5);
+  await expect(worst.first().getByRole("img", { name: /Points of PC\d+ coloured by primitive: truth/ })).toBeVisible({ timeout: 60_000 });
+  await expect(page.locator(".results-worst").getByRole("img")).toHaveCount(10, { timeout: 60_000 });
+  await expect(page.getByText("The table keeps figures alone.")).toHaveCount(0);
+  // Two pictures of one cloud in other colours: as many pixels are drawn, and not all alike.
+  const [truth, found] = await worst.first().locator("canvas").evaluateAll((all) =>
+    all.map((canvas) => {
+      const { data } = (canvas as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, 440, 330) ?? { data: [] };
+      const inks = Array.from({ length: data.length / 4 }, (_, at) => (data[4 * at + 3] === 0 ? "" : `${data[4 * at]} ${data[4 * at + 1]} ${data[4 * at + 2]}`));
+      return { drawn: inks.filter((ink) => ink !== "").length, colours: new Set(inks).size, all: inks.join() };
+    }),
+  );
+  expect(truth?.drawn).toBeGreaterThan(2000);
+  expect(found?.drawn).toBe(truth?.drawn);
+  expect(truth?.colours).toBeGreaterThan(2);
+  expect(found?.all).not.toBe(truth?.all);
+  await expectNoFindings(page, "worst models, drawn");
+  await page.locator(".results-worst").scrollIntoViewIfNeeded();
+  await picture(page, "results-worst");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.setViewportSize({ width: 360, height: 740 });
+  await expectNoOverflow(page, "worst models, drawn");
+  await page.locator(".results-worst").scrollIntoViewIfNeeded();
+  await picture(page, "results-worst-dark-360");
+  // The same names with other answers are no picture of this row.
+  await page.goto("./?page=results&method=fit4cad-ht");
+  await expect(page.locator(".results-worst li").first()).toBeVisible();
+  await expect(page.locator(".results-worst canvas")).toHaveCount(0);
 });
 
 test("the table is embedded without the rest of the page, and says where the whole is", async ({ page }) => {

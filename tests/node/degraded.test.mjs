@@ -22,6 +22,12 @@ test("a degraded model keeps its truth, loses its submissions and leaves the fir
   assert.ok(shaken.primitives().every(({ mfe }) => mfe !== undefined && mfe > 1e-4));
   shaken.free();
   assert.throws(() => model.degraded({ noise: 2 }), /noise must be between/);
+  const thinned = model.degraded({ density: 10, seed: 2 });
+  const share = thinned.info().points / before.points;
+  assert.ok(share > 0.2 && share < 0.6, String(share));
+  assert.ok(thinned.primitives().every(({ mfe }) => mfe !== undefined && mfe < 1e-6));
+  thinned.free();
+  assert.throws(() => model.degraded({ density: 0.5 }), /density must be between/);
   model.free();
 });
 

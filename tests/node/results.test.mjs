@@ -228,13 +228,15 @@ test("the same models, options and seed are made worse in the same way", (t) => 
   fit4cad("generate", "bracket", "--spacing", "0.04", "--name", "PC7", "--out", join(root, "data"));
   const [one, two, three] = ["5", "5", "6"].map((seed, at) => {
     const out = join(root, String(at));
-    const { code, err } = fit4cad("degrade", join(root, "data"), "--missing", "0.2", "--outliers", "0.1", "--seed", seed, "--out", out);
+    const { code, err } = fit4cad("degrade", join(root, "data"), "--missing", "0.2", "--outliers", "0.1", "--density", "10", "--seed", seed, "--out", out);
     assert.equal(code, 0, err);
     return readFileSync(join(out, "pointCloud/PC7.txt"), "utf8");
   });
   assert.equal(one, two);
   assert.notEqual(one, three);
-  assert.match(fit4cad("degrade", root).err, /say what is to be done: --noise N/);
+  const refused = fit4cad("degrade", root).err;
+  assert.match(refused, /say what is to be done: --noise N.*--density N/);
+  assert.match(fit4cad("degrade", root, "--density", "0.1").err, /--density 0\.1/);
 });
 
 test("the paper's rows are verified from the published answers", { skip: WITHOUT_PUBLIC_FILES }, () => {

@@ -421,6 +421,9 @@ pub struct Declarations {
     /// How a part becomes a cloud.
     #[tsify(type = "(ParameterInfo & { name: keyof SampleOptions })[]")]
     pub sample_options: Vec<ParameterInfo>,
+    /// What can be done to the points of any model, beside the seed.
+    #[tsify(type = "(ParameterInfo & { name: Exclude<keyof Wear, \"seed\"> })[]")]
+    pub wear: Vec<ParameterInfo>,
     /// The shapes that blocks of a part can have.
     pub shapes: Vec<ShapeInfo>,
     /// The files of a model.
@@ -466,7 +469,7 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
         title: part.title,
         description: part.description,
     });
-    let sample_options = sample::OPTIONS.map(|option| ParameterInfo {
+    let option = |option: &sample::OptionInfo| ParameterInfo {
         name: option.name,
         unit: option.unit,
         minimum: option.minimum,
@@ -474,7 +477,7 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
         default: option.default,
         whole: option.whole,
         explanation: option.explanation,
-    });
+    };
     let shapes = sample::SHAPES.map(|shape| {
         let (sizes, defaults) = shape.sizes.iter().copied().unzip();
         ShapeInfo {
@@ -507,7 +510,8 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
         fitters: fit::Method::ALL.map(FitterInfo::from).to_vec(),
         stages: stages.to_vec(),
         parts: parts.collect(),
-        sample_options: sample_options.to_vec(),
+        sample_options: sample::OPTIONS.map(option).to_vec(),
+        wear: sample::WEAR.map(option).to_vec(),
         shapes: shapes.to_vec(),
         roles: roles.to_vec(),
         file_kinds: file_kinds.to_vec(),

@@ -20,7 +20,7 @@ use crate::fitted::{Fitted, give_surfaces};
 use crate::hand_over;
 use crate::input::InputFile;
 use crate::lists::PointLists;
-use crate::part::SampleOptions;
+use crate::part::{SampleOptions, Wear};
 use crate::primitive::PrimitiveInfo;
 use crate::report::{Protocol, Report};
 
@@ -142,20 +142,15 @@ impl Model {
         Ok(Self::of(sample::generate(part, &options)?))
     }
 
-    /// The model as a worse scan would show it, with its truth and without its submissions. The
-    /// points are there already, so that no spacing can be asked for.
+    /// The model as a worse scan would show it, with its truth and without its submissions.
     ///
     /// # Errors
     /// If an option is out of its range.
-    pub fn degraded(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Omit<SampleOptions, \"spacing\">")] options: Ts<
-            SampleOptions,
-        >,
-    ) -> Result<Model, JsError> {
-        let options = sample::Options::from(options.to_rust()?);
+    pub fn degraded(&self, wear: Ts<Wear>) -> Result<Model, JsError> {
+        let wear: Wear = wear.to_rust()?;
+        let seed = wear.seed.unwrap_or(sample::Options::default().seed);
         Ok(Self {
-            model: sample::degraded(&self.model, &options.degradation(), options.seed)?,
+            model: sample::degraded(&self.model, &wear.into(), seed)?,
             diagnostics: self.diagnostics.clone(),
             method_of_file: BTreeMap::new(),
             wants_whole: false,

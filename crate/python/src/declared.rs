@@ -117,6 +117,15 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
             "whole" => option.whole,
             "explanation" => option.explanation,
         )),
+        "wear" => list!(py; sample::WEAR, |option| dict!(py;
+            "name" => option.name,
+            "unit" => option.unit,
+            "minimum" => option.minimum,
+            "maximum" => option.maximum,
+            "default" => option.default,
+            "whole" => option.whole,
+            "explanation" => option.explanation,
+        )),
         "roles" => list!(py; format::Role::ALL, |role| dict!(py;
             "name" => role.name(),
             "meaning" => role.meaning(),

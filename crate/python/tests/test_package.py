@@ -222,6 +222,10 @@ def test_a_worse_scan_keeps_its_truth():
     assert len(worse) != len(model) and worse.truth is not None
     again = fit4cad.degrade(model.points, model.truth, noise=0.001, missing=0.2, outliers=0.1, seed=3)
     assert np.array_equal(worse.points, again.points)
+    thinned = fit4cad.degrade(model, density=10, seed=3)
+    assert 0.2 * len(model) < len(thinned) < 0.6 * len(model)
+    with pytest.raises(ValueError, match="density"):
+        fit4cad.degrade(model, density=0)
 
 
 def test_a_truth_that_is_wrong_is_found_and_corrected(tmp_path):

@@ -24,6 +24,7 @@ import { inOrder, valueOf, VIEWS, type Figure, type View } from "./columns";
 import { addressOfMethod, showMethod, shownSet, view } from "./state";
 import { scoresOf, setOf, type Row } from "./table-data";
 import { secondsText, timeOf } from "./time";
+import { onPage, WorstPicture } from "./worst-picture";
 
 /** Of the worst models, how many are told. */
 const WORST = 5;
@@ -215,24 +216,38 @@ interface OfSet {
 function Worst({ row, set, scores, view: shown }: OfSet & { view: View }): JSX.Element | null {
   const [first] = shown.figures;
   if (!first) return null;
-  const worst = worstBy(first, scores.models);
+  const worst = worstBy(first, scores.models).map((entry) => ({ entry, found: onPage(row, entry) }));
+  const isPublic = set.degraded === undefined;
   return (
     <section>
       <h4>
         The {worst.length} worst by {first.title}
       </h4>
       <ul class="results-worst">
-        {worst.map((entry) => (
+        {worst.map(({ entry, found }) => (
           <li key={entry.model}>
             <strong>{entry.model}</strong> {first.title} {first.write(valueOf(first, entry))}, {format.plural(entry.predicted, "primitive")} for {format.integer(entry.truth)}{" "}
-            {set.degraded === undefined && (
+            {isPublic && (
               <button type="button" class="link" onClick={() => void openClaims({ row, set, scores }, [entry])}>
                 Open {entry.model} in the playground
               </button>
             )}
+            {found && <WorstPicture found={found} entry={entry} />}
           </li>
         ))}
       </ul>
+      {worst.some(({ found }) => !found) && (
+        <p class="row">
+          {isPublic && (
+            <button type="button" onClick={() => void openClaims({ row, set, scores }, worst.map(({ entry }) => entry))}>
+              Open all {worst.length} in the playground
+            </button>
+          )}
+          <span class="hint">
+            The table keeps figures alone. Once the files of these models and the method’s answers are in the playground, pictures of them are drawn here.
+          </span>
+        </p>
+      )}
     </section>
   );
 }

@@ -1,15 +1,14 @@
 // @ts-check
 // What can be done to the points of a model.
 
-import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
+import { WEAR } from "../../generated/declared/wear.js";
+
+export { WEAR };
 
 /**
  * How much of each is done, and the seed that decides where.
  * @typedef {Readonly<Record<string, number>> & { seed: number }} Wear
  */
-
-/** What can be done to the points of any model, the seed apart. */
-export const WEAR = SAMPLE_OPTIONS.filter(({ name }) => name !== "spacing" && name !== "seed");
 
 /**
  * What was done to the points, in words: `noise 0.001, seed 1`.

@@ -3,6 +3,7 @@
 mod ball;
 mod bounds;
 mod cells;
+pub mod curve;
 pub mod neighbours;
 pub mod normals;
 mod numbering;

@@ -138,54 +138,6 @@ impl KdTree {
         }
     }
 
-    /// A point nearest to `query`, if there is one nearer than `radius`: what [`nearest`](Self::nearest)
-    /// finds where one is wanted and it does not matter which of equals, in half the time. O(log n).
-    pub fn closest(&self, query: &Point, radius: f64) -> Option<Neighbour> {
-        let mut search = Closest {
-            query,
-            limit: radius * radius,
-            slot: None,
-        };
-        if !self.is_empty() {
-            self.visit_closest(0, 0, self.len(), &mut search);
-        }
-        Some(Neighbour {
-            index: *self.indices.get(search.slot?)?,
-            distance_squared: search.limit,
-        })
-    }
-
-    /// Descends as [`visit_nearest`](Self::visit_nearest) does. One piece of code for the order of the halves, handed
-    /// back by value, made all figures of the field 5 % slower under wasm.
-    fn visit_closest(&self, node: usize, start: usize, end: usize, search: &mut Closest<'_>) {
-        if end - start <= LEAF {
-            for (slot, point) in (start..end).zip(&self.points[start..end]) {
-                let distance_squared = (point - search.query).norm_squared();
-                if distance_squared < search.limit {
-                    search.limit = distance_squared;
-                    search.slot = Some(slot);
-                }
-            }
-            return;
-        }
-        let middle = start + (end - start) / 2;
-        let left = (2 * node + 1, start, middle);
-        let right = (2 * node + 2, middle, end);
-        let to_left = self.boxes[left.0].distance_squared_to(search.query);
-        let to_right = self.boxes[right.0].distance_squared_to(search.query);
-        let ((near, to_near), (far, to_far)) = if to_right < to_left {
-            ((right, to_right), (left, to_left))
-        } else {
-            ((left, to_left), (right, to_right))
-        };
-        if to_near < search.limit {
-            self.visit_closest(near.0, near.1, near.2, search);
-        }
-        if to_far < search.limit {
-            self.visit_closest(far.0, far.1, far.2, search);
-        }
-    }
-
     /// Calls `visit` for every point at which `distance`, the distance to some set, is at most
     /// `tolerance` in absolute value.
     ///
@@ -238,15 +190,6 @@ struct Nearest<'a> {
     limit: f64,
     /// Nearest first; short enough that insertion beats a heap.
     found: &'a mut Vec<Neighbour>,
-}
-
-/// A search for one point.
-struct Closest<'a> {
-    query: &'a Point,
-    /// Squared distance of what was found, or from which on nothing is wanted.
-    limit: f64,
-    /// Where in the tree it is.
-    slot: Option<usize>,
 }
 
 impl Nearest<'_> {
@@ -355,7 +298,6 @@ impl Neighbourhoods {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cloud::Vector;
     use proptest::prelude::*;
 
     fn brute_force(points: &[Point], query: &Point, count: usize) -> Vec<u32> {
@@ -386,15 +328,6 @@ mod tests {
                 let found: Vec<u32> = found.iter().map(|n| n.index).collect();
                 let expected = brute_force(&points, query, count);
                 prop_assert_eq!(&found, &expected);
-                let beside = query + Vector::new(0.25, 0.125, -0.25);
-                let squares = points.iter().map(|point| (point - beside).norm_squared());
-                let least = squares.fold(f64::INFINITY, f64::min);
-                let closest = tree.closest(&beside, f64::INFINITY).unwrap();
-                prop_assert_eq!(closest.distance_squared, least);
-                let there = points[closest.index as usize] - beside;
-                prop_assert_eq!(there.norm_squared(), least);
-                prop_assert!(tree.closest(&beside, 0.999 * least.sqrt()).is_none());
-                prop_assert!(tree.closest(&beside, 1.001 * least.sqrt()).is_some());
             }
         }
 

@@ -1,12 +1,12 @@
-//! What scanning does to a cloud: missing regions, noise, outliers.
+//! What scanning does to a cloud: missing regions, uneven density, noise, outliers.
 
 use super::SampleError;
-use super::ranges::{MISSING, NOISE, OUTLIERS};
+use super::ranges::{DENSITY, MISSING, NOISE, OUTLIERS};
 use crate::cloud::{Bounds, Point, Vector};
 use crate::random::Random;
 
 /// How much worse a cloud becomes. The default changes nothing.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Degradation {
     /// Standard deviation of the normal noise added to each coordinate, 0 to 0.1 of the diagonal
     /// of the cloud's bounding box.
@@ -15,6 +15,23 @@ pub struct Degradation {
     pub outliers: f64,
     /// Fraction of the points cut away by balls and half-spaces, 0 to 0.95.
     pub missing: f64,
+    /// How many times as dense the points are left at one end of the cloud as at the other, 1 to 1000.
+    /// A point at a share t of the cloud's way along a random direction is kept with a probability of
+    /// density^−t: all at the one end, one in so many at the other, and in between by the same factor
+    /// over the same length. What is left is a share of (1 − 1/density) / ln density where points are
+    /// spread evenly along the way, 39 % for 10 to 1.
+    pub density: f64,
+}
+
+impl Default for Degradation {
+    fn default() -> Self {
+        Self {
+            noise: 0.0,
+            outliers: 0.0,
+            missing: 0.0,
+            density: DENSITY.default,
+        }
+    }
 }
 
 impl Degradation {
@@ -25,7 +42,8 @@ impl Degradation {
     pub fn check(&self) -> Result<(), SampleError> {
         NOISE.check(self.noise)?;
         OUTLIERS.check(self.outliers)?;
-        MISSING.check(self.missing)
+        MISSING.check(self.missing)?;
+        DENSITY.check(self.density)
     }
 }
 
@@ -60,15 +78,19 @@ impl Worn {
     }
 }
 
-/// Cuts away, shakes and strews, in this order. The same seed gives the same cloud. O(n log n).
+/// Cuts away, thins, shakes and strews, in this order. The same seed gives the same cloud. O(n log n).
 pub fn degrade(points: &[Point], diagonal: f64, by: &Degradation, seed: u64) -> Worn {
     // Streams below the number of faces serve the faces of generated parts.
     let stream = |number: u64| Random::new(seed, u64::MAX - number);
-    let kept = if by.missing > 0.0 {
+    let mut kept = if by.missing > 0.0 {
         keep(points, by.missing, &mut stream(0))
     } else {
         vec![true; points.len()]
     };
+    if by.density > 1.0 {
+        // The third stream is that of imperfect submissions.
+        thin(points, &mut kept, by.density, &mut stream(4));
+    }
     let mut worn = Worn::keeping(points, &kept);
     if by.noise > 0.0 {
         shake(&mut worn.points, by.noise * diagonal, &mut stream(1));
@@ -117,6 +139,27 @@ fn keep(points: &[Point], fraction: f64, random: &mut Random) -> Vec<bool> {
         gone += count;
     }
     kept
+}
+
+/// Leaves points with a probability that falls along a random direction, from 1 to 1 over `contrast`.
+fn thin(points: &[Point], kept: &mut [bool], contrast: f64, random: &mut Random) {
+    let direction = direction(random);
+    let along = |point: &Point| point.coords.dot(&direction);
+    let ways = || points.iter().map(along);
+    let (first, last) = ways().fold((f64::INFINITY, f64::NEG_INFINITY), |(first, last), way| {
+        (first.min(way), last.max(way))
+    });
+    let length = last - first;
+    for (kept, way) in kept.iter_mut().zip(ways()) {
+        // Drawn for each point, so that what is cut away beside it does not change whether it stays.
+        let drawn = random.unit();
+        let share = if length > 0.0 {
+            (way - first) / length
+        } else {
+            0.0
+        };
+        *kept = *kept && drawn < libm::pow(contrast, -share);
+    }
 }
 
 /// Moves every point by independent normal numbers of one standard deviation in x, y and z.
@@ -173,12 +216,41 @@ mod tests {
     }
 
     #[test]
+    fn density_falls_along_the_cloud_by_what_was_asked_for() {
+        // A rod in which places along any direction are spread evenly.
+        let rod = (0..40_000).map(|k| Point::new(f64::from(k), f64::from(k), f64::from(k)));
+        let rod: Vec<Point> = rod.collect();
+        let by = Degradation {
+            density: 10.0,
+            ..Degradation::default()
+        };
+        let worn = degrade(&rod, 1.0, &by, 4);
+        let all = worn.points.len() as f64 / 40_000.0;
+        assert!((all - 0.9 / libm::log(10.0)).abs() < 0.01, "{all}");
+        let among = |from: f64, to: f64| {
+            let inside = worn.points.iter().filter(|it| (from..to).contains(&it.x));
+            inside.count() as f64 / 4_000.0
+        };
+        let ends = [among(0.0, 4_000.0), among(36_000.0, 40_000.0)];
+        let (dense, sparse) = (ends[0].max(ends[1]), ends[0].min(ends[1]));
+        // The means of 10^−t over the first and the last tenth.
+        assert!(
+            (dense - 0.893).abs() < 0.02 && (sparse - 0.112).abs() < 0.02,
+            "{ends:?}"
+        );
+        assert_eq!(degrade(&rod, 1.0, &by, 4).points, worn.points);
+        assert_ne!(degrade(&rod, 1.0, &by, 5).points, worn.points);
+        let heap = [Point::origin(); 7];
+        assert_eq!(degrade(&heap, 0.0, &by, 4).points, heap);
+    }
+
+    #[test]
     fn noise_has_the_deviation_asked_for_and_outliers_belong_to_nothing() {
         let model = generate("housing", &COARSE).unwrap();
         let by = Degradation {
             noise: 0.002,
             outliers: 0.05,
-            missing: 0.0,
+            ..Degradation::default()
         };
         let worse = degraded(&model, &by, 5).unwrap();
         let count = model.cloud.len();
@@ -202,6 +274,12 @@ mod tests {
             ..Degradation::default()
         };
         let error = degraded(&model, &by, 1).unwrap_err();
+        let sparse = Degradation {
+            density: 0.5,
+            ..Degradation::default()
+        };
+        let other = degraded(&model, &sparse, 1).unwrap_err();
+        assert!(other.to_string().starts_with("density must be"));
         assert!(error.to_string().starts_with("missing must be"));
     }
 }

@@ -34,7 +34,7 @@ pub use degrade::Degradation;
 use degrade::Worn;
 pub use imperfect::imperfect;
 pub use options::Options;
-pub use ranges::{OPTIONS, OptionInfo};
+pub use ranges::{OPTIONS, OptionInfo, SEED, WEAR};
 pub use shapes::{SHAPES, Shape, ShapeInfo};
 
 use crate::cloud::Cloud;

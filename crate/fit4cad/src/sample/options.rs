@@ -48,6 +48,7 @@ impl Options {
             noise: self.noise,
             outliers: self.outliers,
             missing: self.missing,
+            ..Degradation::default()
         }
     }
 }

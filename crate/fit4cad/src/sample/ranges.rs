@@ -63,7 +63,18 @@ pub(super) static MISSING: OptionInfo = OptionInfo {
     explanation: "Points cut away in balls and half-spaces.",
 };
 
-pub(super) static SEED: OptionInfo = OptionInfo {
+pub(super) static DENSITY: OptionInfo = OptionInfo {
+    name: "density",
+    unit: "",
+    minimum: 1.0,
+    maximum: 1000.0,
+    default: 1.0,
+    whole: false,
+    explanation: "How many times as dense points are left at one end of the cloud as at the other.",
+};
+
+/// The seed, which both lists share.
+pub static SEED: OptionInfo = OptionInfo {
     name: "seed",
     unit: "",
     minimum: 0.0,
@@ -73,8 +84,11 @@ pub(super) static SEED: OptionInfo = OptionInfo {
     explanation: "Of everything random: the same seed gives the same sample.",
 };
 
-/// Every option, in the order to show them.
+/// Every option of making a part, in the order to show them.
 pub static OPTIONS: [&OptionInfo; 5] = [&SPACING, &NOISE, &OUTLIERS, &MISSING, &SEED];
+
+/// What can be done to the points of any model, beside the seed, in the order to show it.
+pub static WEAR: [&OptionInfo; 4] = [&NOISE, &OUTLIERS, &MISSING, &DENSITY];
 
 impl OptionInfo {
     /// Whether a value is in the range.

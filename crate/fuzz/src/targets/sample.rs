@@ -39,6 +39,7 @@ pub const GENERATE: Target = Target {
             noise: bytes.number(),
             outliers: bytes.number(),
             missing: bytes.number(),
+            density: bytes.number(),
         };
         let cloud = shapes::model(&mut bytes);
         if let Ok(worse) = sample::degraded(&cloud, &by, bytes.seed()) {

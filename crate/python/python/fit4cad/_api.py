@@ -161,7 +161,8 @@ def generate(part: str, *, name: Optional[str] = None, **options: float) -> Mode
 
 def degrade(model: Points, truth: Optional[Labels] = None, **options: float) -> Model:
     """A cloud as a worse scan would show it: ``noise`` (standard deviation, of the diagonal), ``outliers`` (per
-    point), ``missing`` (share cut away) and ``seed``. The truth keeps its surfaces and loses what is cut away."""
+    point), ``missing`` (share cut away), ``density`` (how many times as dense at one end as at the other) and
+    ``seed``: ``declared()["wear"]``. The truth keeps its surfaces and loses the points that are gone."""
     if not isinstance(model, Model):
         cloud = cloud_of(model)
         model = Model(cloud, None if truth is None else Segmentation(_complete(cloud, truth)[0], cloud))
