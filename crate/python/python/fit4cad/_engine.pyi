@@ -68,6 +68,7 @@ def import_step(
     points: Optional[int] = None,
     spacing: Optional[float] = None,
     spread: Optional[str] = None,
+    views: Optional[int] = None,
     least: Optional[int] = None,
     seed: Optional[int] = None,
     named: Optional[bool] = None,
