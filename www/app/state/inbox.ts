@@ -9,7 +9,7 @@ import type { Grouping, Override } from "../engine/contract";
 import { latest } from "../engine/latest";
 import { makeRoomFor } from "./made";
 import { notify } from "./notices";
-import type { PublicModel } from "./origin";
+import type { PublicModel, StepSource } from "./origin";
 
 /** A file as it was brought: its path within what was dropped or chosen, and its content. */
 export interface BroughtFile {
@@ -17,6 +17,8 @@ export interface BroughtFile {
   readonly data: Blob;
   /** The public model it was downloaded for. */
   readonly publicModel?: PublicModel;
+  /** The STEP file it was made of: of clouds alone. */
+  readonly step?: StepSource;
   /** Where the page's own address had it fetched (`?data=`, `?source=`): whoever made that address chose it, not the reader. */
   readonly named?: string;
 }
