@@ -11,7 +11,7 @@ use crate::segmentation::Segmentation;
 
 /// Makes a model of the part in the bytes of a STEP file: cloud, truth, and what became of its faces.
 #[pyfunction]
-#[pyo3(signature = (name, bytes, *, points = None, spacing = None, spread = None, views = None, least = None, seed = None, named = None, separate = None))]
+#[pyo3(signature = (name, bytes, *, points = None, spacing = None, spread = None, views = None, least = None, seed = None, named = None, separate = None, bodies = None))]
 #[allow(
     clippy::too_many_arguments,
     reason = "they are the options of the command line"
@@ -28,6 +28,7 @@ pub(crate) fn import_step<'py>(
     seed: Option<u64>,
     named: Option<bool>,
     separate: Option<bool>,
+    bodies: Option<Vec<usize>>,
 ) -> PyResult<(Cloud, Option<Segmentation>, Bound<'py, PyDict>)> {
     let usual = Options::default();
     let amount = match (points, spacing) {
@@ -58,7 +59,10 @@ pub(crate) fn import_step<'py>(
     let bytes = bytes.to_vec();
     let import = py.detach(|| {
         let mut unheard = |_: Progress| {};
-        let document = Document::read(&bytes, &mut unheard)?;
+        let mut document = Document::read(&bytes, &mut unheard)?;
+        if let Some(bodies) = bodies {
+            document.keep(&bodies)?;
+        }
         document.sample(name, &options, &mut unheard)
     });
     let import = import.map_err(refused)?;

@@ -73,6 +73,7 @@ def import_step(
     seed: Optional[int] = None,
     named: Optional[bool] = None,
     separate: Optional[bool] = None,
+    bodies: Optional[Sequence[int]] = None,
 ) -> tuple[Cloud, Optional[Segmentation], dict[str, Any]]: ...
 def export_step(
     name: str, cloud: Cloud, segmentation: Segmentation, colours: Sequence[tuple[int, int, int]]
