@@ -127,6 +127,13 @@ pub fn import_options() -> Result<Vec<Ts<OptionInfo>>, JsError> {
             explanation: "Free-form faces stay unsegmented, also those that are planes, cylinders, cones, spheres or tori within a millionth of the part.".to_owned(),
         },
         OptionInfo {
+            name: "outer",
+            value: OptionKind::Flag,
+            unit: "",
+            default: None,
+            explanation: "Faces that nothing outside sees have no points, as those inside of assemblies; a scan has none of them anyway.".to_owned(),
+        },
+        OptionInfo {
             name: "separate",
             value: OptionKind::Flag,
             unit: "",

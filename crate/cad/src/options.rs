@@ -30,6 +30,9 @@ pub struct ImportOptions {
     /// Whether free-form faces that are of one of the five families stay unsegmented.
     #[tsify(optional)]
     pub named: Option<bool>,
+    /// Whether faces that nothing outside sees have no points.
+    #[tsify(optional)]
+    pub outer: Option<bool>,
     /// Whether faces of one surface that touch stay primitives of their own.
     #[tsify(optional)]
     pub separate: Option<bool>,
@@ -62,6 +65,7 @@ impl ImportOptions {
             least: self.least.map_or(usual.least, |least| least as usize),
             seed: self.seed.unwrap_or(usual.seed),
             recognise: !self.named.unwrap_or(!usual.recognise),
+            inner: !self.outer.unwrap_or(!usual.inner),
             join: !self.separate.unwrap_or(!usual.join),
         })
     }

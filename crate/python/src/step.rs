@@ -11,7 +11,7 @@ use crate::segmentation::Segmentation;
 
 /// Makes a model of the part in the bytes of a STEP file: cloud, truth, and what became of its faces.
 #[pyfunction]
-#[pyo3(signature = (name, bytes, *, points = None, spacing = None, spread = None, views = None, least = None, seed = None, named = None, separate = None, bodies = None))]
+#[pyo3(signature = (name, bytes, *, points = None, spacing = None, spread = None, views = None, least = None, seed = None, named = None, outer = None, separate = None, bodies = None))]
 #[allow(
     clippy::too_many_arguments,
     reason = "they are the options of the command line"
@@ -27,6 +27,7 @@ pub(crate) fn import_step<'py>(
     least: Option<usize>,
     seed: Option<u64>,
     named: Option<bool>,
+    outer: Option<bool>,
     separate: Option<bool>,
     bodies: Option<Vec<usize>>,
 ) -> PyResult<(Cloud, Option<Segmentation>, Bound<'py, PyDict>)> {
@@ -54,6 +55,7 @@ pub(crate) fn import_step<'py>(
         least: least.unwrap_or(usual.least),
         seed: seed.unwrap_or(usual.seed),
         recognise: !named.unwrap_or(!usual.recognise),
+        inner: !outer.unwrap_or(!usual.inner),
         join: !separate.unwrap_or(!usual.join),
     };
     let bytes = bytes.to_vec();

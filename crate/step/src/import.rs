@@ -35,6 +35,35 @@ struct Item<'a> {
     body: &'a str,
     instance: usize,
     motion: Motion,
+    /// Whether it is left out because nothing outside sees it.
+    inner: bool,
+}
+
+/// The faces that can be used, with what that needs.
+fn usable<'a>(items: &'a [Item<'a>]) -> Vec<(&'a Item<'a>, &'a Ready)> {
+    let outer = items.iter().filter(|item| !item.inner);
+    outer
+        .filter_map(|item| Some((item, item.face.ready.as_ref().ok()?)))
+        .collect()
+}
+
+fn patches<'a>(usable: &[(&'a Item<'a>, &'a Ready)]) -> Vec<Patch<'a>> {
+    let patch = |(item, ready): &(&'a Item<'a>, &'a Ready)| Patch {
+        face: &ready.trimmed,
+        motion: item.motion,
+    };
+    usable.iter().map(patch).collect()
+}
+
+/// For each face whether nothing outside sees it. O(faces · viewpoints).
+fn inner(items: &[Item<'_>], seed: u64) -> Vec<bool> {
+    let usable = usable(items);
+    let patches = patches(&usable);
+    let mut random = Random::new(seed, 4);
+    let sight = Sight::new(&patches, Options::MOST_VIEWS, &mut random);
+    let mut hidden = sight.hidden(&mut random).into_iter();
+    let of = |item: &Item<'_>| item.face.ready.is_ok() && hidden.next().unwrap_or(false);
+    items.iter().map(of).collect()
 }
 
 impl Document {
@@ -51,18 +80,19 @@ impl Document {
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Import, StepError> {
         options.check()?;
-        let items = self.items();
-        let usable: Vec<(&Item<'_>, &Ready)> = items
-            .iter()
-            .filter_map(|item| Some((item, item.face.ready.as_ref().ok()?)))
-            .collect();
-        let patches: Vec<Patch<'_>> = usable
-            .iter()
-            .map(|(item, ready)| Patch {
-                face: &ready.trimmed,
-                motion: item.motion,
-            })
-            .collect();
+        let mut items = self.items();
+        if !options.inner {
+            progress(Progress {
+                stage: "looking for inner faces",
+                share: 0.0,
+            });
+            let inner = inner(&items, options.seed);
+            for (item, inner) in items.iter_mut().zip(inner) {
+                item.inner = inner;
+            }
+        }
+        let usable = usable(&items);
+        let patches = patches(&usable);
         let area: f64 = patches.iter().map(Patch::area).sum();
         if area <= 0.0 {
             return Err(StepError::NothingUsable {
@@ -120,6 +150,7 @@ impl Document {
                     body: &body.name,
                     instance,
                     motion: *motion,
+                    inner: false,
                 })
             })
             .collect()
@@ -207,6 +238,9 @@ impl Document {
             };
             match &item.face.ready {
                 Err(trouble) => report.remark = format!("{LEFT_OUT}{trouble}"),
+                Ok(_) if item.inner => {
+                    report.remark = "no points: nothing outside sees it".to_owned();
+                }
                 Ok(ready) => {
                     let scale = item.motion.scale();
                     report.area = ready.trimmed.area * scale * scale;

@@ -42,6 +42,8 @@ pub struct Options {
     pub seed: u64,
     /// Whether free-form faces that are of one of the five families become primitives.
     pub recognise: bool,
+    /// Whether faces have points that nothing outside sees.
+    pub inner: bool,
     /// Whether faces of one surface that touch are one primitive, as in the benchmark.
     pub join: bool,
 }
@@ -58,6 +60,7 @@ impl Default for Options {
             least: 5,
             seed: 1,
             recognise: true,
+            inner: true,
             join: true,
         }
     }

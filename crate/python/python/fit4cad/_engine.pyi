@@ -72,6 +72,7 @@ def import_step(
     least: Optional[int] = None,
     seed: Optional[int] = None,
     named: Optional[bool] = None,
+    outer: Optional[bool] = None,
     separate: Optional[bool] = None,
     bodies: Optional[Sequence[int]] = None,
 ) -> tuple[Cloud, Optional[Segmentation], dict[str, Any]]: ...

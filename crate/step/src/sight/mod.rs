@@ -30,6 +30,8 @@ const AWAY: f64 = 2.0;
 const CLEAR: f64 = 1e-6;
 /// Places looked at to tell how much is seen: to within one in a hundred.
 const LOOKS: usize = 2000;
+/// Places of one face looked at to tell whether it is seen.
+const LOOKS_AT_FACE: usize = 64;
 /// Places drawn for each point asked for, until it is given up that so many are seen.
 const MOST_DRAWS: usize = 100;
 
@@ -118,6 +120,17 @@ impl<'a> Sight<'a> {
             }
         }
         seen as f64 / drawn.max(1) as f64
+    }
+
+    /// For each patch whether no viewpoint sees any of some places of it, so that what is seen of less than a
+    /// few hundredths of it counts as nothing.
+    pub fn hidden(&self, random: &mut Random) -> Vec<bool> {
+        let patches = self.patches.iter().enumerate();
+        let hidden = patches.map(|(index, patch)| {
+            let mut places = (0..LOOKS_AT_FACE).filter_map(|_| Some(patch.place(random)?.1));
+            !places.any(|place| self.views.iter().any(|view| self.sees(view, index, &place)))
+        });
+        hidden.collect()
     }
 
     /// Up to `count` places as a scanner takes them that turns at even steps: of each viewpoint as many, and

@@ -28,11 +28,15 @@ fn sphere(made: &mut Made, centre: [f64; 3], radius: f64) -> usize {
     made.face(&[bound], surface, true)
 }
 
-/// The box of 2 `half`, its faces outward: planes, or free-form by their names.
-fn cube(made: &mut Made, half: f64, free: bool) -> Vec<usize> {
+/// The box of 2 `half`, its faces outward: planes, or free-form by their names. The last is its
+/// lid, which may be missing.
+fn cube(made: &mut Made, half: f64, free: bool, lid: bool) -> Vec<usize> {
     let mut faces = Vec::new();
     for axis in 0..3 {
         for side in [-1.0, 1.0] {
+            if faces.len() == 5 && !lid {
+                break;
+            }
             let at = |u: f64, v: f64| {
                 let mut place = [0.0; 3];
                 place[axis] = side * half;
@@ -126,7 +130,7 @@ fn many_viewpoints_see_all_of_a_sphere() {
 fn a_sphere_inside_a_box_is_seen_by_none_and_the_report_says_so() {
     for free in [false, true] {
         let mut made = Made::new();
-        let mut faces = cube(&mut made, 2.0, free);
+        let mut faces = cube(&mut made, 2.0, free, true);
         faces.push(sphere(&mut made, [0.0; 3], 1.0));
         made.shell(&faces);
         let found = scan(&made.text(), 20, 3000, 1);
@@ -214,10 +218,41 @@ fn places_that_look_away_from_the_eye_are_hidden_by_their_own_face() {
     }
 }
 
+/// Inside a closed box nothing is seen, in a box without a lid all that is in it.
+#[test]
+fn inner_faces_have_points_or_not_as_is_asked() {
+    for (lid, inner) in [(true, true), (true, false), (false, false)] {
+        let mut made = Made::new();
+        let mut faces = cube(&mut made, 2.0, false, lid);
+        faces.push(sphere(&mut made, [0.0; 3], 1.0));
+        made.shell(&faces);
+        let options = Options {
+            inner,
+            ..Options::default()
+        };
+        let found = import(made.text().as_bytes(), &options);
+        let face = &found.report.faces[faces.len() - 1];
+        let expected = if lid && !inner {
+            "no points: nothing outside sees it"
+        } else {
+            ""
+        };
+        assert_eq!(face.remark, expected);
+        assert_eq!(face.points == 0, lid && !inner);
+        // Points are as dense on the others as if it were not there.
+        assert_eq!(found.model.cloud.len(), 2000);
+        assert!(
+            found.report.warnings.is_empty(),
+            "{:?}",
+            found.report.warnings
+        );
+    }
+}
+
 #[test]
 fn views_are_checked_and_a_seed_gives_the_same_scan_again() {
     let mut made = Made::new();
-    let faces = cube(&mut made, 1.0, false);
+    let faces = cube(&mut made, 1.0, false, true);
     made.shell(&faces);
     let text = made.text();
     assert_eq!(scan(&text, 3, 300, 7).model, scan(&text, 3, 300, 7).model);
