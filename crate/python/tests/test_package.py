@@ -106,6 +106,11 @@ def test_step_goes_out_and_comes_back(tmp_path):
     again = fit4cad.read(tmp_path / "part.step", points=3000)
     assert again.imported["faces"] and len(again) > 1000
     assert set(each.type for each in again.truth) <= {"Plane", "Cylinder", "Cone", "Sphere", "Torus"}
+    scan = fit4cad.read(tmp_path / "part.step", points=3000, spread="scan", views=1)
+    seen = [sum(face["points"] > 0 for face in model.imported["faces"]) for model in (scan, again)]
+    assert 0 < seen[0] < seen[1]
+    with pytest.raises(fit4cad.InputError, match="bodies must be"):
+        fit4cad.read(tmp_path / "part.step", bodies=[99])
 
 
 def test_zips_are_read_and_what_is_damaged_is_said(tmp_path):
