@@ -32,8 +32,10 @@ const CLEAR: f64 = 1e-6;
 const LOOKS: usize = 2000;
 /// Places of one face looked at to tell whether it is seen.
 const LOOKS_AT_FACE: usize = 64;
-/// Places drawn for each point asked for, until it is given up that so many are seen.
-const MOST_DRAWS: usize = 100;
+/// Places drawn for each point that was found, until it is given up that so many are seen as were asked for.
+const MOST_DRAWS: usize = 1000;
+/// So many points are hoped for before the first is found.
+const HOPED: usize = 200;
 
 /// A part before viewpoints.
 pub(crate) struct Sight<'a> {
@@ -138,13 +140,12 @@ impl<'a> Sight<'a> {
     /// what share of them is there. Expected O(count · faces in the way) for each draw that is not hidden.
     pub fn scan(&self, count: usize, random: &mut Random, progress: &mut dyn FnMut(f64)) -> Points {
         let mut points = Points::with_capacity(count);
-        for draws in 0..MOST_DRAWS * count {
-            if points.len() == count {
-                break;
-            }
+        let mut draws = 0;
+        while points.len() < count && draws < MOST_DRAWS * (points.len() + HOPED) {
             if draws % 4096 == 0 {
                 progress(points.len() as f64 / count as f64);
             }
+            draws += 1;
             let patch = self.wheel.draw(random);
             let view = &self.views[random.below(self.views.len())];
             let Some((at, place)) = self.patches[patch].place(random) else {
