@@ -45,12 +45,13 @@ const MOST_WORDS = 20;
 
 function Facts({ path, report }: { path: string; report: ImportReport }): JSX.Element {
   const { system, schema, bodies, instances, diagonal, area, spacing, faces, lost } = report;
+  const met = faces.filter(({ points }) => points > 0).length;
   const figure = (value: number) => Number(value.toPrecision(4)).toLocaleString("en", { maximumSignificantDigits: 4 });
   const facts: [string, string][] = [
     ["File", path],
     ["Written by", [system, schema].filter((words) => words !== "").join(", ") || "the file does not say"],
     ["Bodies", instances === bodies ? format.integer(bodies) : `${format.integer(bodies)}, ${format.plural(instances, "instance")}`],
-    ["Faces", lost === 0 ? `${format.integer(faces.length)}, all in the cloud` : `${format.integer(faces.length)}, ${format.integer(lost)} left out`],
+    ["Faces", [format.integer(faces.length), met === faces.length ? "all in the cloud" : `${format.integer(met)} with points`, ...(lost > 0 ? [`${format.integer(lost)} left out`] : [])].join(", ")],
     ["Diagonal", `${figure(diagonal)} mm`],
     ["Area", `${figure(area)} mm²`],
     ["Spacing", `${figure(spacing)} mm`],

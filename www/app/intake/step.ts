@@ -101,6 +101,7 @@ async function work(part: BroughtFile, how: HowImported, stop: AbortController):
 export function summaryOf({ faces, bodies }: ImportReport): string {
   const points = faces.reduce((sum, face) => sum + face.points, 0);
   const primitives = new Set(faces.map(({ primitive }) => primitive).filter((primitive) => primitive !== null)).size;
+  const met = faces.filter((face) => face.points > 0).length;
   const number = (value: number, one: string, many: string) => `${value.toLocaleString("en")} ${value === 1 ? one : many}`;
-  return `${number(points, "point", "points")} on ${number(faces.length, "face", "faces")} of ${number(bodies, "body", "bodies")}, ${number(primitives, "primitive", "primitives")}.`;
+  return `${number(points, "point", "points")} on ${number(met, "face", "faces")} of ${number(bodies, "body", "bodies")}, ${number(primitives, "primitive", "primitives")}.`;
 }
