@@ -45,7 +45,7 @@ mod tests {
     #[test]
     fn the_roots_of_a_quartic_within_the_unit_interval_are_found_and_no_others() {
         // (t + 1) (t - 0.25) (t - 0.5) (t - 2).
-        let found = roots(&[-0.25, 1.375, -1.375, -1.75, 1.0]);
+        let found = roots(&[-0.25, 1.375, -1.125, -1.75, 1.0]);
         assert_eq!(found.len(), 2, "{found:?}");
         assert!((found[0] - 0.25).abs() < 1e-14 && (found[1] - 0.5).abs() < 1e-14);
     }
