@@ -92,14 +92,14 @@ async function generate({ crate, name, folders }) {
   }
 }
 
-/** Writes out what the engine declares, unless that is done. */
+/** Writes out what Rust declares, unless that is done. */
 async function declare() {
-  const engine = "bin/engine";
-  const stamp = readStamp(engine) ?? "";
+  const [engine, cad] = ["bin/engine", "bin/cad"];
+  const stamp = `${readStamp(engine)} ${readStamp(cad)}`;
   if (readStamp(DECLARED) === stamp) {
     return;
   }
-  await writeDeclared(join(ROOT, engine), join(ROOT, DECLARED));
+  await writeDeclared({ engine: join(ROOT, engine), cad: join(ROOT, cad) }, join(ROOT, DECLARED));
   writeFileSync(join(ROOT, DECLARED, ".stamp"), stamp);
 }
 

@@ -48,7 +48,7 @@ const STATES = {
   ),
   lessons: { at: "?page=lessons" },
   ...Object.fromEntries(
-    ["score", "hough", "growing", "forms", "protocols"].map((id) => [`lesson-${id}`, { at: `?page=lesson-${id}`, act: live }]),
+    ["score", "hough", "growing", "forms", "protocols", "cad"].map((id) => [`lesson-${id}`, { at: `?page=lesson-${id}`, act: live }]),
   ),
   studio: { at: "?page=studio" },
   statistics: { at: "?page=statistics" },

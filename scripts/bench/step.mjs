@@ -1,10 +1,7 @@
 // Reading parts from CAD.
 
-import { existsSync, readFileSync, readdirSync } from "node:fs";
-import { join } from "node:path";
 import { cadInstance } from "../../bin/cli/cad.mjs";
-import { stepPlate } from "../lib/samples.mjs";
-import { ROOT } from "../lib/paths.mjs";
+import { stepParts, stepPlate } from "../lib/samples.mjs";
 
 export const name = "step";
 export const about = "STEP files, bytes in memory to 20,000 points spread evenly";
@@ -17,7 +14,7 @@ const MOST_MEMORY = 20;
 
 /** @param {import("../lib/bench.mjs").Bench} bench */
 export async function measure(bench) {
-  const parts = realParts();
+  const parts = stepParts();
   if (parts.length === 0) {
     bench.note("the STEP files are not at hand; one plate instead");
     parts.push({ path: "plate.step", bytes: Buffer.from(stepPlate()) });
@@ -48,10 +45,4 @@ export async function measure(bench) {
   bench.figure("worst", times.at(-1) ?? 0, "s", { most: 3, digits: 3 });
   const large = rows.filter(({ bytes }) => bytes >= LARGE).map(({ held }) => held);
   if (large.length > 0) bench.figure("memory to read one, over its bytes", Math.max(...large), "times", { most: MOST_MEMORY, digits: 1 });
-}
-
-function realParts() {
-  const folder = join(process.env.FIT4CAD_SHARED ?? join(ROOT, "../shared"), "step");
-  const names = existsSync(folder) ? readdirSync(folder).filter((file) => /\.ste?p$/.test(file)) : [];
-  return names.map((path) => ({ path, bytes: readFileSync(join(folder, path)) }));
 }

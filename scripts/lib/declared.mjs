@@ -1,4 +1,4 @@
-// What the engine declares, as modules that page, command line and formats import before any engine
+// What Rust declares, as modules that page, command line and formats import before any wasm
 // is loaded: one module a list, so that each part of the page carries what it shows and no more.
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -6,25 +6,43 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 /**
- * Writes a module for each list that an engine declares.
- * @param {string} engine folder of the engine, as wasm-bindgen made it
+ * Writes a module for each list that the engine and the module for STEP files declare.
+ * @param {{ engine: string, cad: string }} modules folders of the two, as wasm-bindgen made them
  * @param {string} folder where the modules go, emptied before
  */
-export async function writeDeclared(engine, folder) {
-  // Another address each time: the engine may have been built anew since it was last imported.
-  const glue = `${pathToFileURL(join(engine, "engine.js")).href}?built=${Date.now()}`;
-  const { declarations, initSync } = await import(glue);
-  initSync({ module: readFileSync(join(engine, "engine_bg.wasm")) });
+export async function writeDeclared({ engine, cad }, folder) {
+  const { declarations } = await load(engine, "engine");
+  const { importOptions } = await load(cad, "cad");
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   for (const [key, list] of Object.entries(declarations())) {
-    const words = key.split(/(?=[A-Z])/);
-    const file = join(folder, words.join("-").toLowerCase());
-    const name = words.join("_").toUpperCase();
-    writeFileSync(`${file}.js`, `export const ${name} = ${JSON.stringify(list)};\n`);
-    writeFileSync(
-      `${file}.d.ts`,
-      `import type { Declarations } from "../engine/engine.js";\n\nexport declare const ${name}: Readonly<Declarations["${key}"]>;\n`,
-    );
+    write(folder, key, list, `import type { Declarations } from "../engine/engine.js"`, `Readonly<Declarations["${key}"]>`);
   }
+  write(folder, "importOptions", importOptions(), `import type { OptionInfo } from "../cad/cad.js"`, "readonly OptionInfo[]");
+}
+
+/**
+ * @param {string} folder
+ * @param {string} name
+ */
+async function load(folder, name) {
+  // Another address each time: it may have been built anew since it was last imported.
+  const module = await import(`${pathToFileURL(join(folder, `${name}.js`)).href}?built=${Date.now()}`);
+  module.initSync({ module: readFileSync(join(folder, `${name}_bg.wasm`)) });
+  return module;
+}
+
+/**
+ * @param {string} folder
+ * @param {string} key
+ * @param {unknown} list
+ * @param {string} imported what declares the type
+ * @param {string} type
+ */
+function write(folder, key, list, imported, type) {
+  const words = key.split(/(?=[A-Z])/);
+  const file = join(folder, words.join("-").toLowerCase());
+  const name = words.join("_").toUpperCase();
+  writeFileSync(`${file}.js`, `export const ${name} = ${JSON.stringify(list)};\n`);
+  writeFileSync(`${file}.d.ts`, `${imported};\n\nexport declare const ${name}: ${type};\n`);
 }

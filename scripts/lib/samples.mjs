@@ -3,7 +3,7 @@
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join, relative } from "node:path";
 import { strToU8, zipSync } from "fflate";
-import { benchmarkFiles } from "./paths.mjs";
+import { ROOT, benchmarkFiles } from "./paths.mjs";
 
 /** The folder `test_sample` of the public files as the bytes of a zip, or undefined. */
 export function testSampleZip() {
@@ -90,10 +90,15 @@ function publicFile(name) {
   return path && existsSync(path) ? path : undefined;
 }
 
-/** A plate of 10 × 20 × 2 mm with a face a side, as STEP. */
-export function stepPlate() {
-  const [x, y, z] = [10, 20, 2];
-  const corners = [0, 1].flatMap((k) => [0, 1].flatMap((j) => [0, 1].map((i) => [i * x, j * y, k * z])));
+/** The real STEP files, by name; none where they are not at hand. */
+export function stepParts() {
+  const folder = join(process.env.FIT4CAD_SHARED ?? join(ROOT, "../shared"), "step");
+  const names = existsSync(folder) ? readdirSync(folder).filter((file) => /\.ste?p$/.test(file)) : [];
+  return names.sort().map((path) => ({ path, bytes: readFileSync(join(folder, path)) }));
+}
+
+/** Plates of 10 × 20 × 2 mm with a face a side, 30 mm apart, as STEP: each a body of its own. */
+export function stepPlate(count = 1) {
   /** @type {string[]} */
   const lines = [];
   const add = (/** @type {string} */ entity) => `#${lines.push(`#${lines.length + 1}=${entity};`)}`;
@@ -101,41 +106,47 @@ export function stepPlate() {
   const triple = (/** @type {readonly number[]} */ [a = 0, b = 0, c = 0]) => `(${real(a)},${real(b)},${real(c)})`;
   const point = (/** @type {readonly number[]} */ at) => add(`CARTESIAN_POINT('',${triple(at)})`);
   const direction = (/** @type {readonly number[]} */ of) => add(`DIRECTION('',${triple(of)})`);
-  const vertices = corners.map((at) => add(`VERTEX_POINT('',${point(at)})`));
-  /** @type {Map<string, string>} */
-  const edges = new Map();
-  const edge = (/** @type {number} */ from, /** @type {number} */ to) => {
-    const [low, high] = from < to ? [from, to] : [to, from];
-    const key = `${low} ${high}`;
-    const [start, end] = [corners[low] ?? [], corners[high] ?? []];
-    const along = end.map((value, axis) => value - (start[axis] ?? 0));
-    const length = Math.hypot(...along);
-    if (!edges.has(key)) {
-      const line = add(`LINE('',${point(start)},${add(`VECTOR('',${direction(along.map((value) => value / length))},${real(length)})`)})`);
-      edges.set(key, add(`EDGE_CURVE('',${vertices[low]},${vertices[high]},${line},.T.)`));
-    }
-    return add(`ORIENTED_EDGE('',*,*,${edges.get(key)},${from < to ? ".T." : ".F."})`);
-  };
-  const sides = [
-    { at: [0, 2, 3, 1], normal: [0, 0, -1] },
-    { at: [4, 5, 7, 6], normal: [0, 0, 1] },
-    { at: [0, 1, 5, 4], normal: [0, -1, 0] },
-    { at: [2, 6, 7, 3], normal: [0, 1, 0] },
-    { at: [0, 4, 6, 2], normal: [-1, 0, 0] },
-    { at: [1, 3, 7, 5], normal: [1, 0, 0] },
-  ];
-  const faces = sides.map(({ at, normal }) => {
-    const loop = add(`EDGE_LOOP('',(${at.map((corner, place) => edge(corner, at[(place + 1) % 4] ?? 0)).join(",")}))`);
-    const [first = 0, second = 0] = at;
-    const across = (corners[second] ?? []).map((value, axis) => Math.sign(value - (corners[first]?.[axis] ?? 0)));
-    const frame = add(`AXIS2_PLACEMENT_3D('',${point(corners[first] ?? [])},${direction(normal)},${direction(across)})`);
-    return add(`ADVANCED_FACE('',(${add(`FACE_OUTER_BOUND('',${loop},.T.)`)}),${add(`PLANE('',${frame})`)},.T.)`);
-  });
-  const body = add(`MANIFOLD_SOLID_BREP('plate',${add(`CLOSED_SHELL('',(${faces.join(",")}))`)})`);
+  const bodies = Array.from({ length: count }, (_, at) => plate(30 * at)).join(",");
   const unit = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
   const angle = add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
   const context = add(`(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((${unit},${angle}))REPRESENTATION_CONTEXT('',''))`);
-  add(`ADVANCED_BREP_SHAPE_REPRESENTATION('',(${body}),${context})`);
+  add(`ADVANCED_BREP_SHAPE_REPRESENTATION('',(${bodies}),${context})`);
   const header = "HEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('plate','',(''),(''),'','test','');\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n";
   return `ISO-10303-21;\n${header}DATA;\n${lines.join("\n")}\nENDSEC;\nEND-ISO-10303-21;\n`;
+
+  function plate(/** @type {number} */ left) {
+    const [x, y, z] = [10, 20, 2];
+    const corners = [0, 1].flatMap((k) => [0, 1].flatMap((j) => [0, 1].map((i) => [left + i * x, j * y, k * z])));
+    const vertices = corners.map((at) => add(`VERTEX_POINT('',${point(at)})`));
+    /** @type {Map<string, string>} */
+    const edges = new Map();
+    const edge = (/** @type {number} */ from, /** @type {number} */ to) => {
+      const [low, high] = from < to ? [from, to] : [to, from];
+      const key = `${low} ${high}`;
+      const [start, end] = [corners[low] ?? [], corners[high] ?? []];
+      const along = end.map((value, axis) => value - (start[axis] ?? 0));
+      const length = Math.hypot(...along);
+      if (!edges.has(key)) {
+        const line = add(`LINE('',${point(start)},${add(`VECTOR('',${direction(along.map((value) => value / length))},${real(length)})`)})`);
+        edges.set(key, add(`EDGE_CURVE('',${vertices[low]},${vertices[high]},${line},.T.)`));
+      }
+      return add(`ORIENTED_EDGE('',*,*,${edges.get(key)},${from < to ? ".T." : ".F."})`);
+    };
+    const sides = [
+      { at: [0, 2, 3, 1], normal: [0, 0, -1] },
+      { at: [4, 5, 7, 6], normal: [0, 0, 1] },
+      { at: [0, 1, 5, 4], normal: [0, -1, 0] },
+      { at: [2, 6, 7, 3], normal: [0, 1, 0] },
+      { at: [0, 4, 6, 2], normal: [-1, 0, 0] },
+      { at: [1, 3, 7, 5], normal: [1, 0, 0] },
+    ];
+    const faces = sides.map(({ at, normal }) => {
+      const loop = add(`EDGE_LOOP('',(${at.map((corner, place) => edge(corner, at[(place + 1) % 4] ?? 0)).join(",")}))`);
+      const [first = 0, second = 0] = at;
+      const across = (corners[second] ?? []).map((value, axis) => Math.sign(value - (corners[first]?.[axis] ?? 0)));
+      const frame = add(`AXIS2_PLACEMENT_3D('',${point(corners[first] ?? [])},${direction(normal)},${direction(across)})`);
+      return add(`ADVANCED_FACE('',(${add(`FACE_OUTER_BOUND('',${loop},.T.)`)}),${add(`PLANE('',${frame})`)},.T.)`);
+    });
+    return add(`MANIFOLD_SOLID_BREP('plate',${add(`CLOSED_SHELL('',(${faces.join(",")}))`)})`);
+  }
 }

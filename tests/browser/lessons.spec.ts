@@ -425,7 +425,72 @@ test("each protocol is won by its own trap, and none of them by all", async ({ p
   await accessible(page);
 });
 
-for (const id of ["score", "hough", "growing", "forms", "protocols"]) {
+test("from a drawing to a score: every exercise can be failed and solved without a pointer", async ({ page }) => {
+  test.setTimeout(240_000);
+  await openLesson(page, "cad");
+  const press = (name: string) => page.getByRole("button", { name }).click();
+  const fit = async () => {
+    await press("Fit the points");
+    await expect(exercise(page)).toContainText("mean DSC", { timeout: SLOW });
+  };
+
+  // 1: the smallest face sets how many points there must be.
+  await expect(exercise(page)).toContainText("1,000 points", { timeout: SLOW });
+  await unsolved(exercise(page));
+  await expect(page.locator(".formulas tbody tr")).toHaveCount(12);
+  await slide(page, "Points", 3000);
+  await solved(exercise(page));
+  await slide(page, "Points", 8000);
+  await unsolved(exercise(page));
+
+  // 2: what no viewpoint sees has no points.
+  await next(page).click();
+  await expect(exercise(page)).toContainText("9 of 12 faces", { timeout: SLOW });
+  await unsolved(exercise(page));
+  await choose(page, "even");
+  await expect(exercise(page)).toContainText("12 of 12 faces", { timeout: SLOW });
+  await unsolved(exercise(page));
+  await choose(page, "scan");
+  await slide(page, "Viewpoints", 3);
+  await solved(exercise(page));
+  await picture(page, "lesson-cad-scan");
+
+  // 3: small faces of few points are overlooked.
+  await next(page).click();
+  await expect(exercise(page)).toContainText("Nothing was fitted", { timeout: SLOW });
+  await fit();
+  await unsolved(exercise(page));
+  await slide(page, "Points", 3000);
+  await expect(exercise(page)).toContainText("Nothing was fitted", { timeout: SLOW });
+  await fit();
+  await solved(exercise(page));
+
+  // 4: noise.
+  await next(page).click();
+  await expect(exercise(page)).toContainText("Nothing was fitted", { timeout: SLOW });
+  await fit();
+  await unsolved(exercise(page));
+  await slide(page, "Noise", 0.5);
+  await expect(exercise(page)).toContainText("Nothing was fitted", { timeout: SLOW });
+  await fit();
+  await solved(exercise(page));
+
+  // 5: back to CAD, as a file that can be saved.
+  await next(page).click();
+  await expect(exercise(page)).toContainText("Nothing was fitted", { timeout: SLOW });
+  await expect(page.getByRole("button", { name: "Write and read again" })).toBeDisabled();
+  await fit();
+  await press("Write and read again");
+  await solved(exercise(page));
+  await expect(exercise(page)).toContainText("12 primitives written, 12 faces read.");
+  const waiting = page.waitForEvent("download");
+  await press("Save the STEP file");
+  expect((await waiting).suggestedFilename()).toBe("plate_found.step");
+  await accessible(page);
+  await picture(page, "lesson-cad-back");
+});
+
+for (const id of ["score", "hough", "growing", "forms", "protocols", "cad"]) {
   for (const [width, scheme] of [[360, "light"], [1280, "dark"], [1920, "light"]] as const) {
     test(`lesson ${id} fits ${width} pixels, ${scheme}`, async ({ page }) => {
       await page.setViewportSize({ width, height: Math.round(width < 500 ? 740 : width * 0.5625) });

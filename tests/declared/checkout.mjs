@@ -32,7 +32,7 @@ export async function checkoutWithOneMoreMeasure() {
     await run(tool("wasm-bindgen"), [...out, wasm]);
   }
   cpSync(join(CHECKOUT, "www/generated/engine"), join(CHECKOUT, "bin/engine"), { recursive: true });
-  await writeDeclared(join(CHECKOUT, "bin/engine"), join(CHECKOUT, "www/generated/declared"));
+  await writeDeclared({ engine: join(CHECKOUT, "bin/engine"), cad: join(CHECKOUT, "bin/cad") }, join(CHECKOUT, "www/generated/declared"));
   return CHECKOUT;
 }
 

@@ -5,9 +5,10 @@ import { pageModule } from "./page.mjs";
 import { fit4cad, folder, submitted } from "./support.mjs";
 
 const { commandLine } = await pageModule("export/command.ts");
+const { pythonLines } = await pageModule("export/python.ts");
 
 /** @param {object} [change] */
-const onScreen = (change) => ({ paths: [], samples: [], fits: [], corrections: {}, protocol: "definition", ...change });
+const onScreen = (change) => ({ paths: [], samples: [], parts: [], fits: [], corrections: {}, protocol: "definition", ...change });
 
 /**
  * The arguments of each call of `fit4cad` in a line, as a POSIX shell understands it.
@@ -60,6 +61,31 @@ test("a fit is repeated with its settings on what it was made on, and scored wit
     ["fit", "flange", "my set", "--method", "pg", "--fuzzy-border", "0.2", "--seed", "9", "--out", "fits"],
     ["score", "flange", "gear", "my set", "fits"],
   ]);
+});
+
+test("a part from CAD is imported first, as it was on the page, and fitted and scored with the rest", () => {
+  const parts = [
+    { name: "plate", path: "plate.step", options: {} },
+    { name: "arm", path: "my parts/arm.stp.gz", options: { points: 500, spread: "scan", views: 3, separate: true }, bodies: [1, 3] },
+    { name: "a", path: "more.zip/a.step", options: {} },
+    { name: "b", path: "more.zip/b.step", options: {} },
+  ];
+  const files = parts.map(({ name, path }) => `${path}/${name}.txt`);
+  const fits = [{ request: { method: "ht", parameters: {}, seed: 1 }, samples: [], brought: true }];
+  assert.deepEqual(understood(commandLine(onScreen({ parts, fits, paths: [...files, "PC1.txt"] }))), [
+    ["import", "plate.step", "--out", "plate"],
+    ["import", "my parts/arm.stp.gz", "--points", "500", "--spread", "scan", "--views", "3", "--separate", "--bodies", "1,3", "--out", "arm"],
+    ["import", "more.zip", "--out", "more"],
+    ["fit", "plate", "arm", "more", "PC1.txt", "--method", "ht", "--seed", "1", "--out", "fits"],
+    ["score", "plate", "arm", "more", "PC1.txt", "fits"],
+  ]);
+});
+
+test("the lines of Python import it as it was, too", () => {
+  const parts = [{ name: "arm", path: "arm.step", options: { points: 500, spread: "scan", separate: true }, bodies: [1, 3] }];
+  const lines = pythonLines(onScreen({ parts, paths: ["arm.step/arm.txt", "PC1.txt"] })).split("\n");
+  assert.ok(lines.includes('brought = list(fit4cad.read_all("PC1.txt"))'), lines.join("\n"));
+  assert.ok(lines.includes('brought += fit4cad.read_all("arm.step", points=500, spread="scan", separate=True, bodies=[1, 3])'), lines.join("\n"));
 });
 
 test("whatever a folder is called, the shell takes it for one name", () => {

@@ -49,6 +49,25 @@ test("a part becomes a model whose truth is right, and the same each time", (t) 
   assert.notDeepEqual(other[0]?.files, model.files);
 });
 
+test("a scan has points where its viewpoints see, and the same each time", (t) => {
+  const root = folder(t, { "plate.step": plate() });
+  const scan = (/** @type {string[]} */ ...args) => {
+    const { code, out, err } = fit4cad("import", join(root, "plate.step"), "--points", "1000", "--spread", "scan", ...args, "--out", root, "--json");
+    assert.equal(code, 0, err);
+    const [made] = imported(out);
+    assert.ok(made);
+    return made;
+  };
+  // One viewpoint sees three sides of a plate at most.
+  const one = scan("--views", "1");
+  assert.equal(one.points, 1000);
+  assert.ok(one.primitives <= 3, JSON.stringify(one.types));
+  assert.equal(scan().primitives, 6);
+  assert.deepEqual(scan("--views", "1").files, one.files);
+  assert.notDeepEqual(scan("--views", "1", "--seed", "2").files, one.files);
+  assert.match(fit4cad("import", join(root, "plate.step"), "--spread", "scan", "--views", "99", "--out", root).err, /--views .*1 to 64/);
+});
+
 test("primitives go back to CAD and come again as the same surfaces", (t) => {
   const root = folder(t, { "plate.step": plate() });
   const [made, out, back] = ["made", "out", "back"].map((name) => join(root, name));

@@ -10,8 +10,10 @@ import init, {
   type FieldReport,
   type FitMethod,
   type PaintedScore,
+  type InputFile,
   type PrimitiveInfo,
   type Report,
+  type Role,
   type SampleOptions,
   type SliceInfo,
   type SurfaceSliders,
@@ -39,6 +41,8 @@ export interface LessonSegmentation extends PrimitiveLists {
 const FIT_SEED = 1;
 
 let model: Model | undefined;
+/** What the model's last fit is called. */
+let fitted: string | undefined;
 let hough: HoughLesson | undefined;
 let growing: GrowingLesson | undefined;
 
@@ -49,6 +53,7 @@ function hold(next: Model): Model {
   growing = undefined;
   model?.free();
   model = next;
+  fitted = undefined;
   return next;
 }
 
@@ -81,6 +86,29 @@ const lessons = {
   async part(name: string, options: SampleOptions): Promise<LessonModel> {
     await init();
     return shown(hold(Model.generate(name, options)));
+  },
+
+  /** The model of some texts, with noise over its diagonal in each coordinate. */
+  async texts(name: string, texts: Readonly<Record<string, string>>, noise: number): Promise<LessonModel> {
+    await init();
+    const inputs = Object.entries(texts).map(([role, text]): InputFile => {
+      const content = new TextEncoder().encode(text);
+      return { path: role, role: role as Role, size: content.length, read: () => content };
+    });
+    const clean = Model.read(name, inputs);
+    if (noise === 0) return shown(hold(clean));
+    try {
+      return shown(hold(clean.degraded({ noise, seed: FIT_SEED })));
+    } finally {
+      clean.free();
+    }
+  },
+
+  /** The cloud, and what the last fit found on it, as texts of its four files. */
+  found(): Record<Role, string> {
+    const of = held(model);
+    const { primitives, parametric, implicit } = of.write(held(fitted));
+    return { cloud: of.cloud(), primitives, parametric, implicit };
   },
 
   field(lists: Uint32Array[]): FieldReport {
@@ -140,6 +168,7 @@ const lessons = {
   segment(method: FitMethod): LessonSegmentation {
     const of = held(model);
     const name = of.fit(method, {}, FIT_SEED, () => undefined);
+    fitted = name;
     return { ...listsOf(of, name), report: of.score(name, "definition") };
   },
 

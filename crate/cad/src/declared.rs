@@ -30,11 +30,16 @@ pub enum OptionKind {
 
 /// An option of an import.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
 pub struct OptionInfo {
     /// Its name.
     pub name: &'static str,
     /// What kind of value it has.
     pub value: OptionKind,
+    /// What it is measured in; empty of what has no unit.
+    pub unit: &'static str,
+    /// The number that holds where none is given; `null` where what holds follows from the part.
+    pub default: Option<f64>,
     /// What it does, with what holds where it is not given.
     pub explanation: String,
 }
@@ -62,6 +67,8 @@ impl From<step::OptionInfo> for OptionInfo {
         Self {
             name: info.name,
             value: info.value.into(),
+            unit: info.unit,
+            default: info.default,
             explanation: info.explanation,
         }
     }

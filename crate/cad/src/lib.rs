@@ -12,5 +12,5 @@ mod write;
 pub use declared::{OptionInfo, OptionKind, import_options};
 pub use options::ImportOptions;
 pub use part::{Part, PartFiles, Sampled};
-pub use report::{FaceReport, ImportReport};
+pub use report::{BodyReport, FaceReport, ImportReport};
 pub use write::{StepText, write};

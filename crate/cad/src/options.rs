@@ -21,12 +21,18 @@ pub struct ImportOptions {
     /// Seed of everything random.
     #[tsify(optional)]
     pub seed: Option<u64>,
-    /// How they are spread: `even` or `random`.
-    #[tsify(optional, type = "\"even\" | \"random\"")]
+    /// How they are spread: `even`, `random` or `scan`.
+    #[tsify(optional, type = "\"even\" | \"random\" | \"scan\"")]
     pub spread: Option<String>,
+    /// Of a scan, how many viewpoints there are.
+    #[tsify(optional)]
+    pub views: Option<u32>,
     /// Whether free-form faces that are of one of the five families stay unsegmented.
     #[tsify(optional)]
     pub named: Option<bool>,
+    /// Whether faces that nothing outside sees have no points.
+    #[tsify(optional)]
+    pub outer: Option<bool>,
     /// Whether faces of one surface that touch stay primitives of their own.
     #[tsify(optional)]
     pub separate: Option<bool>,
@@ -45,18 +51,21 @@ impl ImportOptions {
             None => usual.spread,
             Some("even") => Spread::Even,
             Some("random") => Spread::Random,
+            Some("scan") => Spread::Scan,
             Some(other) => {
                 return Err(JsError::new(&format!(
-                    "spread must be even or random, not {other}"
+                    "spread must be even, random or scan, not {other}"
                 )));
             }
         };
         Ok(Options {
             amount,
             spread,
+            views: self.views.map_or(usual.views, |views| views as usize),
             least: self.least.map_or(usual.least, |least| least as usize),
             seed: self.seed.unwrap_or(usual.seed),
             recognise: !self.named.unwrap_or(!usual.recognise),
+            inner: !self.outer.unwrap_or(!usual.inner),
             join: !self.separate.unwrap_or(!usual.join),
         })
     }

@@ -16,6 +16,8 @@ pub struct ImportReport {
     pub bodies: usize,
     /// How many instances of them.
     pub instances: usize,
+    /// Every body of the file, in its order: what there is to choose from.
+    pub choice: Vec<BodyReport>,
     /// Diagonal of the part, in millimetres.
     pub diagonal: f64,
     /// Area of all faces used, in square millimetres.
@@ -32,6 +34,17 @@ pub struct ImportReport {
     pub warnings: Vec<String>,
     /// All that is not in the cloud or is in doubt, a clause each.
     pub doubts: Vec<String>,
+}
+
+/// A body that can be kept or not.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
+pub struct BodyReport {
+    /// Its name.
+    pub name: String,
+    /// How many faces it has.
+    pub faces: usize,
+    /// Whether it is in the cloud.
+    pub kept: bool,
 }
 
 /// What became of one face of one instance.
@@ -76,11 +89,17 @@ impl From<&fit4cad_step::Report> for ImportReport {
             primitive: face.primitive,
             remark: face.remark.clone(),
         });
+        let choice = report.choice.iter().map(|body| BodyReport {
+            name: body.name.clone(),
+            faces: body.faces,
+            kept: body.kept,
+        });
         Self {
             system: report.system.clone(),
             schema: report.schema.clone(),
             bodies: report.bodies,
             instances: report.instances,
+            choice: choice.collect(),
             diagonal: report.diagonal,
             area: report.area,
             spacing: report.spacing,

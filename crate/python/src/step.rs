@@ -11,7 +11,7 @@ use crate::segmentation::Segmentation;
 
 /// Makes a model of the part in the bytes of a STEP file: cloud, truth, and what became of its faces.
 #[pyfunction]
-#[pyo3(signature = (name, bytes, *, points = None, spacing = None, spread = None, least = None, seed = None, named = None, separate = None, bodies = None))]
+#[pyo3(signature = (name, bytes, *, points = None, spacing = None, spread = None, views = None, least = None, seed = None, named = None, outer = None, separate = None, bodies = None))]
 #[allow(
     clippy::too_many_arguments,
     reason = "they are the options of the command line"
@@ -23,9 +23,11 @@ pub(crate) fn import_step<'py>(
     points: Option<usize>,
     spacing: Option<f64>,
     spread: Option<&str>,
+    views: Option<usize>,
     least: Option<usize>,
     seed: Option<u64>,
     named: Option<bool>,
+    outer: Option<bool>,
     separate: Option<bool>,
     bodies: Option<Vec<usize>>,
 ) -> PyResult<(Cloud, Option<Segmentation>, Bound<'py, PyDict>)> {
@@ -40,17 +42,20 @@ pub(crate) fn import_step<'py>(
         None => usual.spread,
         Some("even") => Spread::Even,
         Some("random") => Spread::Random,
+        Some("scan") => Spread::Scan,
         Some(other) => {
-            let message = format!("spread must be even or random, not {other}");
+            let message = format!("spread must be even, random or scan, not {other}");
             return Err(refused(message));
         }
     };
     let options = Options {
         amount,
         spread,
+        views: views.unwrap_or(usual.views),
         least: least.unwrap_or(usual.least),
         seed: seed.unwrap_or(usual.seed),
         recognise: !named.unwrap_or(!usual.recognise),
+        inner: !outer.unwrap_or(!usual.inner),
         join: !separate.unwrap_or(!usual.join),
     };
     let content = bytes.to_vec();
@@ -79,11 +84,20 @@ pub(crate) fn import_step<'py>(
             "remark" => &face.remark,
         ))?;
     }
+    let choice = PyList::empty(py);
+    for body in &report.choice {
+        choice.append(dict!(py;
+            "name" => &body.name,
+            "faces" => body.faces,
+            "kept" => body.kept,
+        ))?;
+    }
     let report = dict!(py;
         "system" => &report.system,
         "schema" => &report.schema,
         "bodies" => report.bodies,
         "instances" => report.instances,
+        "choice" => choice,
         "diagonal" => report.diagonal,
         "area" => report.area,
         "spacing" => report.spacing,

@@ -113,6 +113,9 @@ def test_step_goes_out_and_comes_back(tmp_path):
     assert one.name == "part" and np.array_equal(one.points, again.points)
     with pytest.raises(fit4cad.InputError, match="7"):
         fit4cad.read(packed, bodies=[7])
+    scan = fit4cad.read(tmp_path / "part.step", points=3000, spread="scan", views=1)
+    seen = [sum(face["points"] > 0 for face in model.imported["faces"]) for model in (scan, again)]
+    assert 0 < seen[0] < seen[1]
 
 
 def test_zips_are_read_and_what_is_damaged_is_said(tmp_path):

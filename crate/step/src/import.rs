@@ -4,16 +4,18 @@ use std::collections::BTreeSet;
 
 use fit4cad::cloud::{Cloud, Point};
 use fit4cad::model::{Model, Primitive, Segmentation};
+use fit4cad::random::Random;
 use fit4cad::sample::MAX_POINTS;
 use fit4cad::surface::Surface;
 
 use crate::document::{BodyFace, Document, Progress, Ready};
 use crate::error::StepError;
 use crate::join::join;
-use crate::options::{Amount, Options, SHARES};
+use crate::options::{Amount, Options, SHARES, Spread};
 use crate::placement::Motion;
-use crate::report::{FaceReport, LEFT_OUT, Report};
+use crate::report::{BodyReport, FaceReport, LEFT_OUT, Report};
 use crate::sampling::{FILLING, Patch, spread};
+use crate::sight::Sight;
 
 /// Edges farther from their surface than this share of the diagonal are worth a word.
 const FAR_OFF: f64 = 1e-4;
@@ -33,6 +35,35 @@ struct Item<'a> {
     body: &'a str,
     instance: usize,
     motion: Motion,
+    /// Whether it is left out because nothing outside sees it.
+    inner: bool,
+}
+
+/// The faces that can be used, with what that needs.
+fn usable<'a>(items: &'a [Item<'a>]) -> Vec<(&'a Item<'a>, &'a Ready)> {
+    let outer = items.iter().filter(|item| !item.inner);
+    outer
+        .filter_map(|item| Some((item, item.face.ready.as_ref().ok()?)))
+        .collect()
+}
+
+fn patches<'a>(usable: &[(&'a Item<'a>, &'a Ready)]) -> Vec<Patch<'a>> {
+    let patch = |(item, ready): &(&'a Item<'a>, &'a Ready)| Patch {
+        face: &ready.trimmed,
+        motion: item.motion,
+    };
+    usable.iter().map(patch).collect()
+}
+
+/// For each face whether nothing outside sees it. O(faces · viewpoints).
+fn inner(items: &[Item<'_>], seed: u64) -> Vec<bool> {
+    let usable = usable(items);
+    let patches = patches(&usable);
+    let mut random = Random::new(seed, 4);
+    let sight = Sight::new(&patches, Options::MOST_VIEWS, &mut random);
+    let mut hidden = sight.hidden(&mut random).into_iter();
+    let of = |item: &Item<'_>| item.face.ready.is_ok() && hidden.next().unwrap_or(false);
+    items.iter().map(of).collect()
 }
 
 impl Document {
@@ -49,18 +80,19 @@ impl Document {
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Import, StepError> {
         options.check()?;
-        let items = self.items();
-        let usable: Vec<(&Item<'_>, &Ready)> = items
-            .iter()
-            .filter_map(|item| Some((item, item.face.ready.as_ref().ok()?)))
-            .collect();
-        let patches: Vec<Patch<'_>> = usable
-            .iter()
-            .map(|(item, ready)| Patch {
-                face: &ready.trimmed,
-                motion: item.motion,
-            })
-            .collect();
+        let mut items = self.items();
+        if !options.inner {
+            progress(Progress {
+                stage: "looking for inner faces",
+                share: 0.0,
+            });
+            let inner = inner(&items, options.seed);
+            for (item, inner) in items.iter_mut().zip(inner) {
+                item.inner = inner;
+            }
+        }
+        let usable = usable(&items);
+        let patches = patches(&usable);
         let area: f64 = patches.iter().map(Patch::area).sum();
         if area <= 0.0 {
             return Err(StepError::NothingUsable {
@@ -68,12 +100,36 @@ impl Document {
                 reason: self.first_trouble(&items),
             });
         }
-        let (count, spacing) = self.amount(options, area)?;
-        progress(Progress {
-            stage: "spreading points",
-            share: 0.0,
-        });
-        let points = spread(&patches, count, options.least, options.spread, options.seed);
+        let mut random = Random::new(options.seed, 3);
+        let sight = (options.spread == Spread::Scan)
+            .then(|| Sight::new(&patches, options.views, &mut random));
+        let seen = sight.as_ref().map_or(1.0, |it| it.share(&mut random));
+        let (count, spacing) = self.amount(options, if seen > 0.0 { seen * area } else { area })?;
+        let mut spreading = |share| {
+            progress(Progress {
+                stage: "spreading points",
+                share,
+            });
+        };
+        spreading(0.0);
+        let points = match sight {
+            Some(_) if seen == 0.0 => Vec::new(),
+            Some(sight) => sight.scan(count, &mut random, &mut spreading),
+            None => spread(
+                &patches,
+                count,
+                options.least,
+                options.spread == Spread::Even,
+                options.seed,
+                &mut spreading,
+            ),
+        };
+        if points.is_empty() {
+            return Err(StepError::NothingUsable {
+                count: items.len(),
+                reason: "no place of it is seen or could be drawn".to_owned(),
+            });
+        }
         let groups = self.groups(&usable, options);
         let (model, numbers, counts) = model(name, &points, &groups);
         let report = self.report(&items, &groups, &numbers, &counts, area, spacing, options);
@@ -94,6 +150,7 @@ impl Document {
                     body: &body.name,
                     instance,
                     motion: *motion,
+                    inner: false,
                 })
             })
             .collect()
@@ -170,7 +227,7 @@ impl Document {
     ) -> Report {
         let mut faces = Vec::with_capacity(items.len());
         let mut usable = 0;
-        let mut thin = 0;
+        let (mut thin, mut hidden) = (0, 0);
         for item in items {
             let mut report = FaceReport {
                 face: item.face.id,
@@ -181,6 +238,9 @@ impl Document {
             };
             match &item.face.ready {
                 Err(trouble) => report.remark = format!("{LEFT_OUT}{trouble}"),
+                Ok(_) if item.inner => {
+                    report.remark = "no points: nothing outside sees it".to_owned();
+                }
                 Ok(ready) => {
                     let scale = item.motion.scale();
                     report.area = ready.trimmed.area * scale * scale;
@@ -188,7 +248,8 @@ impl Document {
                     report.kind = groups.surfaces[usable].map(|surface| surface.kind());
                     report.recognised = report.kind.is_some() && !is_named(&item.face.surface);
                     report.primitive = numbers[groups.group[usable]];
-                    report.remark = self.remark(ready, report.points);
+                    report.remark = self.remark(ready, report.points, options.spread);
+                    hidden += usize::from(report.points == 0);
                     let expected = report.area * FILLING / (spacing * spacing);
                     thin += usize::from(expected < options.least.max(1) as f64);
                     usable += 1;
@@ -197,20 +258,26 @@ impl Document {
             faces.push(report);
         }
         let mut warnings = self.notes.clone();
-        if thin > 0 {
+        if options.spread == Spread::Scan {
+            if hidden > 0 {
+                warnings.push(format!(
+                    "{hidden} of {} faces have no points: they are hidden from every viewpoint, or too small to be met",
+                    items.len()
+                ));
+            }
+        } else if thin > 0 {
             warnings.push(format!(
                 "{thin} of {} faces are smaller than the spacing has points for: they have {} each, nearer to one another. A finer spacing shows them",
                 items.len(),
                 options.least
             ));
         }
+        let placed: BTreeSet<usize> = self.placed.iter().map(|(body, _)| *body).collect();
         Report {
             system: self.system.clone(),
             schema: self.schema.clone(),
-            bodies: {
-                let placed: BTreeSet<usize> = self.placed.iter().map(|(body, _)| *body).collect();
-                placed.len()
-            },
+            bodies: placed.len(),
+            choice: self.choice(&placed),
             instances: self.placed.len(),
             diagonal: self.diagonal,
             area,
@@ -221,10 +288,22 @@ impl Document {
         }
     }
 
-    fn remark(&self, ready: &Ready, points: usize) -> String {
+    fn choice(&self, placed: &BTreeSet<usize>) -> Vec<BodyReport> {
+        let bodies = self.bodies.iter().enumerate();
+        let choice = bodies.map(|(at, body)| BodyReport {
+            name: body.name.clone(),
+            faces: body.faces.len(),
+            kept: placed.contains(&at),
+        });
+        choice.collect()
+    }
+
+    fn remark(&self, ready: &Ready, points: usize, spread: Spread) -> String {
         let face = &ready.trimmed;
         let far = FAR_OFF * self.diagonal;
-        if points == 0 {
+        if points == 0 && spread == Spread::Scan {
+            "no points: no viewpoint sees it".to_owned()
+        } else if points == 0 {
             "no points: its area is next to nothing".to_owned()
         } else if face.gap > far {
             format!("its edges leave a gap of {:.4} mm", face.gap)

@@ -24,6 +24,7 @@ mod read;
 mod recognise;
 mod report;
 mod sampling;
+mod sight;
 mod units;
 mod write;
 
@@ -34,5 +35,5 @@ pub use file::LARGEST_FILE;
 pub use import::Import;
 pub use options::{Amount, Options, Spread};
 pub use placement::{Frame, Motion};
-pub use report::{FaceReport, Report};
+pub use report::{BodyReport, FaceReport, Report};
 pub use write::{Colour, write_step};

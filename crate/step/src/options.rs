@@ -23,6 +23,8 @@ pub enum Spread {
     Even,
     /// Every place as likely, as samplers of meshes give them.
     Random,
+    /// As scanners take them from viewpoints around the part: what is hidden from all of them has none.
+    Scan,
 }
 
 /// How a part becomes a cloud.
@@ -32,12 +34,16 @@ pub struct Options {
     pub amount: Amount,
     /// How they are spread.
     pub spread: Spread,
-    /// Fewest points of a face, however small it is.
+    /// Of scans, how many viewpoints there are.
+    pub views: usize,
+    /// Fewest points of a face, however small it is. Scans have what is seen.
     pub least: usize,
     /// Seed of everything random.
     pub seed: u64,
     /// Whether free-form faces that are of one of the five families become primitives.
     pub recognise: bool,
+    /// Whether faces have points that nothing outside sees.
+    pub inner: bool,
     /// Whether faces of one surface that touch are one primitive, as in the benchmark.
     pub join: bool,
 }
@@ -48,10 +54,13 @@ impl Default for Options {
             // The median spacing of the benchmark's clouds.
             amount: Amount::Share(0.0077),
             spread: Spread::Even,
+            // One to each side, as a part is turned before a scanner.
+            views: 6,
             // The smallest primitive of the benchmark.
             least: 5,
             seed: 1,
             recognise: true,
+            inner: true,
             join: true,
         }
     }
@@ -61,6 +70,9 @@ impl Default for Options {
 pub(crate) const SHARES: [f64; 2] = [0.0005, 0.2];
 
 impl Options {
+    /// Most viewpoints of a scan: more see nothing that these do not.
+    pub const MOST_VIEWS: usize = 64;
+
     pub(crate) fn check(&self) -> Result<(), StepError> {
         let wrong = |what, expected: &str, found: String| StepError::OutOfRange {
             what,
@@ -80,6 +92,10 @@ impl Options {
             Amount::Share(value) if !(SHARES[0]..=SHARES[1]).contains(&value) => {
                 let expected = format!("{} to {} of the diagonal", SHARES[0], SHARES[1]);
                 Err(wrong("spacing", &expected, value.to_string()))
+            }
+            _ if !(1..=Self::MOST_VIEWS).contains(&self.views) => {
+                let expected = format!("1 to {}", Self::MOST_VIEWS);
+                Err(wrong("views", &expected, self.views.to_string()))
             }
             _ if self.least > 10_000 => Err(wrong(
                 "the least number of points per face",

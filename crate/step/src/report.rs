@@ -13,6 +13,8 @@ pub struct Report {
     pub bodies: usize,
     /// Instances of bodies.
     pub instances: usize,
+    /// Every body of the file, in its order: what there is to choose from.
+    pub choice: Vec<BodyReport>,
     /// Diagonal of the part, in millimetres.
     pub diagonal: f64,
     /// Area of all faces used, in square millimetres.
@@ -25,6 +27,17 @@ pub struct Report {
     pub left_out: Vec<String>,
     /// What else is to be known.
     pub warnings: Vec<String>,
+}
+
+/// A body that can be kept or not.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct BodyReport {
+    /// Its name.
+    pub name: String,
+    /// How many faces it has.
+    pub faces: usize,
+    /// Whether it is in the cloud.
+    pub kept: bool,
 }
 
 impl Report {

@@ -32,7 +32,7 @@ export async function load() {
   function sampled(bytes) {
     const part = cad.Part.read(bytes.below(3) === 0 ? bytes.rest() : plate);
     try {
-      const value = () => bytes.one([bytes.number(), true, "even", "random", null, undefined, {}, [], NaN, -1, 50]);
+      const value = () => bytes.one([bytes.number(), true, "even", "random", "scan", null, undefined, {}, [], NaN, -1, 50]);
       const options = Object.fromEntries(bytes.list(5, () => [bytes.one(names), value()]));
       // Without a word the cloud would be larger than many runs bear.
       const few = bytes.below(4) === 0 ? options : { points: 50, ...options };

@@ -8,7 +8,8 @@ import { brought, overrides } from "../state/inbox";
 import { fitOf } from "../state/made";
 import { scoredRows, type ModelEntry } from "../state/models";
 import { protocol } from "../state/settings";
-import { commandLine, type FitOnScreen, type OnScreen, type SampleOnScreen } from "./command";
+import { stepOf } from "../state/step";
+import { commandLine, type FitOnScreen, type OnScreen, type PartOnScreen, type SampleOnScreen } from "./command";
 import { copy } from "./download";
 import { pythonLines } from "./python";
 
@@ -55,8 +56,12 @@ const onScreen = computed((): OnScreen => {
   const samples = entries.value.flatMap(({ id, origin }): SampleOnScreen[] =>
     origin.kind === "sample" ? [{ name: id, part: origin.part, options: origin.options }] : [],
   );
+  const parts = entries.value.flatMap((entry): PartOnScreen[] => {
+    const { path, options, bodies } = stepOf(entry) ?? {};
+    return path === undefined || options === undefined ? [] : [{ name: entry.id, path, options, ...(bodies && { bodies }) }];
+  });
   const paths = [...brought.value.keys()];
-  return { paths, samples, fits: repeatable.value, corrections: overrides.value, protocol: protocol.value };
+  return { paths, samples, parts, fits: repeatable.value, corrections: overrides.value, protocol: protocol.value };
 });
 
 /** Whether there are submissions that the line cannot make again. */

@@ -2,19 +2,21 @@
 
 import { SAMPLE_OPTIONS } from "../../generated/declared/sample-options.js";
 import type { Override } from "../engine/contract";
-import { roots, type FitOnScreen, type OnScreen, type SampleOnScreen } from "./command";
+import { beside, roots, sourceOf, type FitOnScreen, type OnScreen, type PartOnScreen, type SampleOnScreen } from "./command";
 
 /** The lines, to be run where the dropped files and folders are; undefined where there is nothing to repeat. */
-export function pythonLines({ paths, samples, fits, corrections, protocol }: OnScreen): string | undefined {
-  if (samples.length === 0 && paths.length === 0) return undefined;
-  const brought = roots(paths);
+export function pythonLines({ paths: all, samples, parts, fits, corrections, protocol }: OnScreen): string | undefined {
+  if (samples.length === 0 && all.length === 0) return undefined;
+  const paths = beside(all, parts);
   const known = Object.entries(corrections).filter(([path]) => paths.includes(path));
+  const others = paths.length > 0 ? [[...roots(paths).map(text), ...overrides(known)].join(", ")] : [];
+  const brought = [...others, ...new Set(parts.map(imported))];
   return [
     "import fit4cad",
     "",
     `samples = [${samples.map(generated).join("")}${samples.length > 0 ? "\n" : ""}]`,
     ...samples.map(({ options }, at) => `samples[${at}].imperfect(${options.seed ?? 1})`),
-    ...(brought.length > 0 ? [`brought = list(fit4cad.read_all(${[...brought.map(text), ...overrides(known)].join(", ")}))`] : []),
+    ...brought.map((what, at) => (at === 0 ? `brought = list(fit4cad.read_all(${what}))` : `brought += fit4cad.read_all(${what})`)),
     ...fits.flatMap((fit) => fitted(fit, samples)),
     `reports = fit4cad.score_many(samples${brought.length > 0 ? " + brought" : ""}, ${text(protocol)})`,
     "for report in reports:",
@@ -29,6 +31,12 @@ function generated({ name, part, options }: SampleOnScreen): string {
   });
   const called = name === part ? [] : [`name=${text(name)}`];
   return `\n    fit4cad.generate(${[text(part), ...called, ...given].join(", ")}),`;
+}
+
+function imported(part: PartOnScreen): string {
+  const given = Object.entries(part.options).map(([name, value]) => `${name}=${typeof value === "string" ? text(value) : value === true ? "True" : value}`);
+  const some = part.bodies === undefined ? [] : [`bodies=[${part.bodies.join(", ")}]`];
+  return [text(sourceOf(part)), ...given, ...some].join(", ");
 }
 
 function overrides(known: readonly (readonly [string, Override])[]): string[] {

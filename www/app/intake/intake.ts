@@ -3,6 +3,8 @@
 import { signal } from "@preact/signals";
 import { notify } from "../state/notices";
 import { receive } from "../state/arrivals";
+import { goToPanel } from "../state/panels";
+import { CAD_PANEL } from "../state/step";
 import { gatherChosen, gatherDrop, type Gathered } from "./entries";
 import { openParts } from "./step";
 import { openZips } from "./unzip";
@@ -34,7 +36,7 @@ async function take(gathering: Promise<Gathered>): Promise<void> {
     const { files, refused, parts } = await openParts(await openZips(await gathering));
     if (files.length + refused.length > 0) await receive(files, refused);
     // Of more than a few, the files that were received say enough.
-    if (parts.length > 0 && parts.length <= 3) notify(parts.join(" "));
+    if (parts.length > 0 && parts.length <= 3) notify(parts.join(" "), "info", { title: "Faces and options", run: () => goToPanel(CAD_PANEL) });
   } catch (error) {
     notify(error instanceof Error ? error.message : String(error), "error");
   } finally {

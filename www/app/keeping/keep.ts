@@ -93,7 +93,8 @@ function follow(kept: Work): void {
 function sizeOf({ files, models, submissions }: Work): number {
   const made = [...models.values(), ...[...submissions.values()].flatMap((each) => [...each.values()])];
   const blobs = [...files.values(), ...made.flatMap((each) => each.files)];
-  return blobs.reduce((sum, { data }) => sum + data.size, 0);
+  const parts = [...files.values()].flatMap(({ step }) => step ?? []);
+  return [...blobs, ...parts].reduce((sum, { data }) => sum + data.size, 0);
 }
 
 /** Nothing is kept any more; who leaves with work that is lost is asked first. */

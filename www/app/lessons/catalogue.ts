@@ -32,4 +32,9 @@ export const LESSONS: readonly LessonInfo[] = [
     title: "How to win by protocol",
     about: "Drop and merge the segments of a part, and watch eight evaluation scripts disagree about the result.",
   },
+  {
+    id: "lesson-cad",
+    title: "From a drawing to a score",
+    about: "Sample the faces of a CAD part as you like, fit the points, score the answer, and take it back to CAD.",
+  },
 ];

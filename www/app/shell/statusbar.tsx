@@ -2,9 +2,11 @@
 
 import type { JSX } from "preact";
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
+import { ImportingWork } from "../cad/status";
 import { FittingWork } from "../fit/status";
 import { DownloadProgress } from "../public/progress";
 import { taking } from "../intake/intake";
+import { importing } from "../intake/step";
 import { rebuilding } from "../sharing/rebuild";
 import { dismiss, notice } from "../state/notices";
 import { cancelScoring, progress, type Progress } from "../state/scoring";
@@ -20,6 +22,7 @@ export function StatusBar(): JSX.Element {
     <footer class="status">
       <DownloadProgress id="downloading" />
       <Work />
+      <ImportingWork />
       <FittingWork stoppable={rebuilding.value === undefined} />
       <p class="notice" role="status" data-kind={shown?.kind}>
         {shown?.text}
@@ -58,7 +61,7 @@ function Work(): JSX.Element | null {
   });
   const batch = progress.value;
   if (batch && (late.value || batch.total > 1)) return <Batch {...batch} />;
-  if (taking.value && late.value) {
+  if (taking.value && late.value && !importing.value) {
     return (
       <div class="work">
         <label for="taking">Reading files…</label>

@@ -11,7 +11,7 @@ import { named, namesOf, type Names } from "./identity";
 import { madeNames, makeRoom } from "./made";
 import { notify } from "./notices";
 import type { EngineWorker } from "../../worker/protocol";
-import type { PublicModel } from "./origin";
+import type { PublicModel, StepSource } from "./origin";
 
 /** A file as it was brought: its path within what was dropped or chosen, and its content. */
 export interface BroughtFile {
@@ -19,6 +19,8 @@ export interface BroughtFile {
   readonly data: Blob;
   /** The public model it was downloaded for. */
   readonly publicModel?: PublicModel;
+  /** The STEP file it was made of: of clouds alone. */
+  readonly step?: StepSource;
   /** Where the page's own address had it fetched (`?data=`, `?source=`): whoever made that address chose it, not the reader. */
   readonly named?: string;
 }

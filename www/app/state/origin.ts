@@ -1,5 +1,7 @@
 // Where models come from.
 
+import type { ImportReport } from "../../generated/cad/cad.js";
+import type { HowImported } from "../../worker/step";
 import type { SampleOptions } from "../engine/contract";
 
 export type SetName = "training" | "test";
@@ -15,3 +17,11 @@ export type Origin =
   | { readonly kind: "files" }
   | { readonly kind: "public"; readonly model: PublicModel }
   | { readonly kind: "sample"; readonly part: string; readonly options: SampleOptions };
+
+/** The STEP file that a cloud was made of, and what became of its faces. */
+export interface StepSource extends HowImported {
+  /** As it was dropped. */
+  readonly path: string;
+  readonly data: Blob;
+  readonly report: ImportReport;
+}

@@ -1,7 +1,7 @@
 //! STEP files: read, sampled, written.
 
 use fit4cad::cloud::LARGEST;
-use fit4cad_step::{Amount, Document, Options, write_step};
+use fit4cad_step::{Amount, Document, Options, Spread, write_step};
 
 use super::{MIB, text};
 use crate::{Bytes, Target, shapes};
@@ -15,6 +15,7 @@ pub const READ: Target = Target {
         let options = Options {
             amount: Amount::Points(200),
             least: 2,
+            spread: [Spread::Even, Spread::Scan][input.len() % 2],
             ..Options::default()
         };
         let Ok(import) = document.sample("PC1", &options, &mut |_| ()) else {

@@ -69,9 +69,11 @@ def import_step(
     points: Optional[int] = None,
     spacing: Optional[float] = None,
     spread: Optional[str] = None,
+    views: Optional[int] = None,
     least: Optional[int] = None,
     seed: Optional[int] = None,
     named: Optional[bool] = None,
+    outer: Optional[bool] = None,
     separate: Optional[bool] = None,
     bodies: Optional[Sequence[int]] = None,
 ) -> tuple[Cloud, Optional[Segmentation], dict[str, Any]]: ...

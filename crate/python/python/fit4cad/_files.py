@@ -288,8 +288,8 @@ def read(
     Files are told by their content, and by their names which is whose: the benchmark's own four, rows of points
     (``.txt .xyz .csv …``), PLY, PCD, NumPy, vertex groups, OBJ, STL, labels, all of them packed by gzip or in a
     folder or zip too, and STEP, of which the points are made here: ``points`` or ``spacing`` (mm), ``spread``
-    (``even`` or ``random``), ``least``, ``seed``, ``named`` and ``separate`` are then those of the command line, and
-    ``bodies`` are the numbers of those that are wanted (``declared()["importOptions"]``).
+    (``even``, ``random``, or ``scan`` from so many ``views``), ``least``, ``seed``, ``named``, ``outer`` and ``separate`` are
+    then those of the command line, and ``bodies`` are the numbers of those that are wanted (``declared()["importOptions"]``).
 
     Among several models ``name`` chooses one. Segments that come without surfaces get them by least squares
     (``Model.fitted``). Raises :class:`InputError` with file, line and what to do where something that was needed

@@ -124,6 +124,29 @@ impl Columns {
         self.lists.len()
     }
 
+    /// Whether the face holds coordinates, which may have gone around.
+    pub fn holds(&self, [a, b]: [f64; 2]) -> bool {
+        let mut found = Vec::new();
+        let wrap = |value: f64, low: f64, period: Option<f64>| {
+            period.map_or(value, |period| {
+                value - period * ((value - low) / period).floor()
+            })
+        };
+        let a = wrap(a, self.borders[0], self.a_period);
+        let b = wrap(b, self.b_range[0], self.b_period);
+        if a < self.borders[0] || a > self.borders[self.len()] {
+            return false;
+        }
+        let after = self.borders.partition_point(|border| *border <= a);
+        self.intervals(after.clamp(1, self.len()) - 1, a, &mut found);
+        found.iter().any(|[low, high]| (*low..=*high).contains(&b))
+    }
+
+    /// The ranges of both coordinates that the face may reach.
+    pub fn range(&self) -> [[f64; 2]; 2] {
+        [[self.borders[0], self.borders[self.len()]], self.b_range]
+    }
+
     /// How long a column may be.
     pub fn height(&self) -> f64 {
         self.b_range[1] - self.b_range[0]
@@ -206,20 +229,10 @@ impl Columns {
     /// fillets that close above all.
     fn vote(&mut self, within: &[[f64; 2]]) {
         let (mut for_outside, mut for_inside) = (0.0, 0.0);
-        let mut found = Vec::new();
         // Just beside a seam, on both sides: at it, bounds begin and end.
         let aside = 1e-5 * (self.borders[self.len()] - self.borders[0]);
         for ([a, b], aside) in within.iter().flat_map(|at| [(at, -aside), (at, aside)]) {
-            let wrap = |value: f64, low: f64, period: Option<f64>| {
-                period.map_or(value, |period| {
-                    value - period * ((value - low) / period).floor()
-                })
-            };
-            let a = wrap(a + aside, self.borders[0], self.a_period);
-            let b = wrap(*b, self.b_range[0], self.b_period);
-            let after = self.borders.partition_point(|border| *border <= a);
-            self.intervals(after.clamp(1, self.len()) - 1, a, &mut found);
-            if found.iter().any(|[low, high]| (*low..=*high).contains(&b)) {
+            if self.holds([a + aside, *b]) {
                 for_outside += 1.0;
             } else {
                 for_inside += 1.0;

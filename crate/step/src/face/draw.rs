@@ -293,6 +293,16 @@ impl Trimmed {
         found.clamp(*low, *high)
     }
 
+    /// Whether coordinates of its chart lie within its bounds. O(bounds that their column meets).
+    pub fn holds(&self, at: [f64; 2]) -> bool {
+        self.columns.holds(at)
+    }
+
+    /// The ranges of both coordinates that it may reach.
+    pub fn range(&self) -> [[f64; 2]; 2] {
+        self.columns.range()
+    }
+
     /// Place and unit normal of the face, as its bounds run against the clock about it.
     pub fn oriented(&self, at: [f64; 2]) -> (Point, fit4cad::cloud::Vector) {
         let (point, normal) = self.chart.oriented(at);

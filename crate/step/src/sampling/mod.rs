@@ -1,10 +1,9 @@
 //! Points on many faces at once.
 
-use fit4cad::cloud::{Bounds, Cells, Point};
+use fit4cad::cloud::{Bounds, Cells, Point, Vector};
 use fit4cad::random::Random;
 
 use crate::face::Trimmed;
-use crate::options::Spread;
 use crate::placement::Motion;
 
 /// A face where an instance of its body puts it.
@@ -22,8 +21,19 @@ impl Patch<'_> {
     }
 
     fn draw(&self, random: &mut Random) -> Option<Point> {
-        let (_, point) = self.face.draw(random)?;
-        Some(self.motion.point(&point))
+        self.place(random).map(|(_, point)| point)
+    }
+
+    /// A place on it, all of its area as likely, with its coordinates.
+    pub fn place(&self, random: &mut Random) -> Option<([f64; 2], Point)> {
+        let (at, point) = self.face.draw(random)?;
+        Some((at, self.motion.point(&point)))
+    }
+
+    /// A unit normal at coordinates, of either side; zero where there is none.
+    pub fn normal(&self, at: [f64; 2]) -> Vector {
+        let (_, normal) = self.face.chart.oriented(at);
+        self.motion.vector(&normal) / self.motion.scale()
     }
 }
 
@@ -42,13 +52,15 @@ const CANDIDATES: usize = 5;
 /// By how much the distance falls from round to round until there is room for all points.
 const FALL: f64 = 0.96;
 
-/// Spreads `count` points over patches, at least `least` on each that has an area.
+/// Spreads `count` points over patches, all at about one distance or every place as likely, at least `least` on each that has an area. `progress` hears what
+/// share of them is there.
 pub(crate) fn spread(
     patches: &[Patch<'_>],
     count: usize,
     least: usize,
-    how: Spread,
+    even: bool,
     seed: u64,
+    progress: &mut dyn FnMut(f64),
 ) -> Points {
     let areas: Vec<f64> = patches.iter().map(Patch::area).collect();
     let total: f64 = areas.iter().sum();
@@ -78,9 +90,10 @@ pub(crate) fn spread(
         .zip(&is_small)
         .map(|(area, small)| if *small { 0.0 } else { *area })
         .collect();
-    match how {
-        Spread::Random => scatter(patches, &weights, rest, &mut points, &mut random),
-        Spread::Even => evenly(patches, &weights, rest, &mut points, &mut random),
+    if even {
+        evenly(patches, &weights, rest, &mut points, &mut random, progress);
+    } else {
+        scatter(patches, &weights, rest, &mut points, &mut random);
     }
     top_up(patches, &areas, least, count, &mut points, &mut random);
     points.sort_by_key(|(patch, _)| *patch);
@@ -88,12 +101,12 @@ pub(crate) fn spread(
 }
 
 /// Draws patches in proportion to weights.
-struct Wheel {
+pub(crate) struct Wheel {
     sums: Vec<f64>,
 }
 
 impl Wheel {
-    fn new(weights: &[f64]) -> Self {
+    pub fn new(weights: &[f64]) -> Self {
         let mut sum = 0.0;
         let sums = weights.iter().map(|weight| {
             sum += weight;
@@ -108,7 +121,7 @@ impl Wheel {
         self.sums.last().copied().unwrap_or(0.0)
     }
 
-    fn draw(&self, random: &mut Random) -> usize {
+    pub fn draw(&self, random: &mut Random) -> usize {
         let target = random.unit() * self.total();
         self.sums
             .partition_point(|sum| *sum <= target)
@@ -145,6 +158,7 @@ fn evenly(
     count: usize,
     points: &mut Points,
     random: &mut Random,
+    progress: &mut dyn FnMut(f64),
 ) {
     let mut darts = Points::new();
     scatter(patches, weights, CANDIDATES * count, &mut darts, random);
@@ -168,6 +182,7 @@ fn evenly(
         .map(|(patch, point)| (patch, point, f64::INFINITY))
         .collect();
     while points.len() < goal && !darts.is_empty() {
+        progress(points.len() as f64 / goal as f64);
         darts.retain_mut(|(patch, point, apart)| {
             if points.len() >= goal {
                 return false;

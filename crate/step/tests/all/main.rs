@@ -16,4 +16,5 @@ mod open_cascade;
 mod oracle;
 mod readers_faults;
 mod sampling;
+mod scanning;
 mod writing;

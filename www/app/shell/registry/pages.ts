@@ -22,6 +22,7 @@ export const PAGES: readonly PageDefinition[] = [
   { id: "lesson-growing", title: "Primitive growing", under: "lessons", load: () => import("../../lessons/growing/page") },
   { id: "lesson-forms", title: "Implicit and parametric", under: "lessons", load: () => import("../../lessons/forms/page") },
   { id: "lesson-protocols", title: "How to win by protocol", under: "lessons", load: () => import("../../lessons/protocols/page") },
+  { id: "lesson-cad", title: "From a drawing to a score", under: "lessons", load: () => import("../../lessons/cad/page") },
   { id: "studio", title: "Studio", load: () => import("../../studio/page") },
   { id: "statistics", title: "Statistics", showsModels: true, load: () => import("../../statistics/page") },
 ];

@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 import type { Load } from "../../ui/lazy";
 import { diagnosticsBadge } from "../../diagnostics/badge";
 import { sharedBadge } from "../../sharing/badge";
+import { anyStep, CAD_PANEL } from "../../state/step";
 import { isLinkOpen, SHARED_PANEL } from "../../sharing/opened";
 
 export interface PanelDefinition {
@@ -28,6 +29,7 @@ export const PANELS: readonly PanelDefinition[] = [
   { id: "audit", title: "Audit", what: "Whether a ground truth says what its points say", load: () => import("../../audit/panel") },
   { id: "comparison", title: "Comparison", what: "Two methods, model by model", load: () => import("../../comparison/panel") },
   { id: "field", title: "Protocols", what: "The same results by the rules of the field", load: () => import("../../field/panel") },
+  { id: CAD_PANEL, title: "From CAD", what: "The faces of a STEP file: what became of each, and importing it in another way", offered: () => anyStep.value, load: () => import("../../cad/panel") },
   { id: "files", title: "Files", what: "Which file is taken for what, to be corrected", load: () => import("../../files/panel") },
   { id: SHARED_PANEL, title: "Shared", what: "What the link of this page holds, and whether it is borne out", offered: isLinkOpen, badge: sharedBadge, load: () => import("../../sharing/panel") },
 ];

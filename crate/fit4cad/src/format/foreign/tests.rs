@@ -455,9 +455,9 @@ fn las(minor: u8, format: u8, own: usize, label: Option<(u8, Store)>) -> Vec<u8>
         put(107, &60u32.to_le_bytes());
     }
     let offset = [1.0f64, -2.0, 0.5];
-    for axis in 0..3 {
+    for (axis, from) in offset.iter().enumerate() {
         put(131 + 8 * axis, &0.25f64.to_le_bytes());
-        put(155 + 8 * axis, &offset[axis].to_le_bytes());
+        put(155 + 8 * axis, &from.to_le_bytes());
     }
     if let Some((code, _)) = label {
         let mut about = [0; 54];
@@ -473,8 +473,8 @@ fn las(minor: u8, format: u8, own: usize, label: Option<(u8, Store)>) -> Vec<u8>
     }
     for (point, number) in rows() {
         let mut record = vec![7; own];
-        for axis in 0..3 {
-            let count = ((point[axis] - offset[axis]) / 0.25) as i32;
+        for (axis, from) in offset.iter().enumerate() {
+            let count = ((point[axis] - from) / 0.25) as i32;
             record[4 * axis..4 * axis + 4].copy_from_slice(&count.to_le_bytes());
         }
         if let Some((_, store)) = label {
