@@ -163,7 +163,7 @@ pub fn fit(
     if let Some(noise) = noise {
         search.scale = search.scale.with_noise(noise, parameters.tolerance);
     }
-    let scale = search.scale;
+    let mut scale = search.scale;
     if observer.wants_trace() {
         observer.trace(Event::Scale(scale));
     }
@@ -175,12 +175,36 @@ pub fn fit(
         Segmentation::default()
     } else {
         find(&mut search, method, observer)?;
-        stages::finish(&search, observer)?
+        if let Some(noise) = judge::noise_of_mixture(&search) {
+            scale = scale.with_noise(noise, parameters.tolerance);
+            search.scale = scale;
+            judged(&search, seed, &mut Late(observer))?
+        } else {
+            stages::finish(&search, observer)?
+        }
     };
     Ok(Fit {
         segmentation: places.unfold(&search, found),
         scale,
     })
+}
+
+/// An observer of a second search: of what it tells of its progress, the first has been at the end already.
+struct Late<'o, 'p>(&'o mut Unfolded<'p>);
+
+impl Observer for Late<'_, '_> {
+    fn progress(&mut self, stage: Stage, fraction: f64) -> Result<(), Cancelled> {
+        let fraction = if stage == Stage::Find { 1.0 } else { fraction };
+        self.0.progress(stage, fraction)
+    }
+
+    fn wants_trace(&self) -> bool {
+        self.0.wants_trace()
+    }
+
+    fn trace(&mut self, event: Event) {
+        self.0.trace(event);
+    }
 }
 
 /// The faces of a noisy cloud, as primitives.

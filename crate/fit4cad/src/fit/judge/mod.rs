@@ -18,7 +18,7 @@ mod propose;
 mod rounds;
 
 pub use faces::Face;
-pub use noise::measure;
+pub use noise::{measure, measure_plateau};
 
 use super::Parameters;
 use super::progress::{Cancelled, Observer, Stage};
@@ -38,6 +38,9 @@ const ROUNDS: usize = 3;
 /// of 0.05 % of the diagonal, some 0.055 spacings, HT alone reaches a mean DSC of 0.943 and the judge 0.894; with
 /// 0.1 % 0.903 and 0.906, with 0.2 % 0.818 and 0.865.
 const SWITCH: f64 = 0.08;
+/// Share of the points on surfaces found, up to which a cloud taken for exact may be a mixture. Of one a third of whose
+/// points is exact, that third at most is on any.
+const FOUND: f64 = 0.35;
 /// Points of a cloud whose noise can be told.
 const ENOUGH: usize = 100;
 /// Points that a face of a noisy cloud has at least.
@@ -54,6 +57,19 @@ pub fn is_for(scale: &Scale, points: usize) -> bool {
         !scale.is_clean()
     };
     is_noisy && points >= ENOUGH
+}
+
+/// The noise of a cloud that was taken for exact, and of which so little was found on surfaces that it seems to be
+/// a mixture: some of its points are exact, the others are not, and there are too few of the former to go by.
+pub fn noise_of_mixture(search: &Search<'_>) -> Option<f64> {
+    let points = search.cloud.points();
+    let explained = (0u32..)
+        .take(points.len())
+        .filter(|&index| search.is_explained(index));
+    if points.len() < ENOUGH || explained.count() as f64 > FOUND * points.len() as f64 {
+        return None;
+    }
+    measure_plateau(points, &search.tree).filter(|noise| *noise > SWITCH * search.scale.spacing)
 }
 
 /// Finds the faces of a cloud whose noise is known.

@@ -25,12 +25,29 @@ const WINDOW: f64 = 1.35;
 /// Residual, in radii of the largest neighbourhoods, from which on most of them are no sheets. Of points
 /// that fill space it is about 0.42; of parts with noise as wide as the spacing, 0.25.
 const THICK: f64 = 0.34;
+/// Ratio of what the sizes say down to which they agree.
+const STEADY: f64 = 0.7;
 /// Largest part of the variance that a ball may hide.
 const MOST_HIDDEN: f64 = 0.65;
 
 /// Standard deviation of the points off their surfaces, in the units of the cloud; `None` where they are
 /// on none that can be told: a cloud of few points, or one that fills space.
 pub fn measure(points: &[Point], tree: &KdTree) -> Option<f64> {
+    let mut piles = piles(points, tree)?;
+    Some(quantile(&mut piles, 0.5))
+}
+
+/// The same where neighbourhoods of all sizes agree. What a smooth surface that is none of the five leaves grows
+/// with them, by three and more.
+pub fn measure_plateau(points: &[Point], tree: &KdTree) -> Option<f64> {
+    let mut piles = piles(points, tree)?;
+    let least = piles.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = piles.iter().copied().fold(0.0, f64::max);
+    (least >= STEADY * most).then(|| quantile(&mut piles, 0.5))
+}
+
+/// What most neighbourhoods of each size say.
+fn piles(points: &[Point], tree: &KdTree) -> Option<Vec<f64>> {
     let stride = points.len().div_ceil(LOOKED_AT).max(1);
     let mut found = Vec::new();
     let mut residuals = [const { Vec::new() }; SIZES.len()];
@@ -54,8 +71,8 @@ pub fn measure(points: &[Point], tree: &KdTree) -> Option<f64> {
         return None;
     }
     let piles = residuals.iter_mut().filter_map(|it| mode(it));
-    let mut piles: Vec<f64> = piles.collect();
-    (!piles.is_empty()).then(|| quantile(&mut piles, 0.5))
+    let piles: Vec<f64> = piles.collect();
+    (!piles.is_empty()).then_some(piles)
 }
 
 /// The residual that a ball of the given squared radius would leave if it hid nothing. To first order in

@@ -31,6 +31,9 @@ const FEWEST: usize = 8;
 /// Neighbours of a point well inside a patch that are in it too.
 const INSIDE: usize = 8;
 
+/// Covered ones among these, from which on a point is amidst them.
+const AMIDST: usize = 7;
+
 /// A surface and the connected points near it.
 #[derive(Debug, Clone)]
 pub struct Proposal {
@@ -89,7 +92,7 @@ impl<'a> Proposer<'a> {
         let mut proposals = Vec::new();
         let mut tried = 0;
         for seed in order {
-            if covered[seed as usize] {
+            if covered[seed as usize] || self.is_amidst(seed, &covered) {
                 continue;
             }
             if tried == most {
@@ -106,6 +109,13 @@ impl<'a> Proposer<'a> {
             }
         }
         Ok(proposals)
+    }
+
+    /// Whether nearly all around a point is covered: then it is far off a surface that is proposed already. One in eighty
+    /// is, and each would have that surface grow again.
+    fn is_amidst(&self, seed: u32, covered: &[bool]) -> bool {
+        let near = self.graph.of(seed).iter().take(INSIDE);
+        near.filter(|&&other| covered[other as usize]).count() >= AMIDST
     }
 
     /// The widest neighbourhood of a point, among those that may be used, that a smooth sheet explains;
