@@ -145,6 +145,8 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         "importOptions" => list!(py; import_options(), |option| dict!(py;
             "name" => option.name,
             "value" => kind_of_value(py, option.value)?,
+            "unit" => option.unit,
+            "default" => option.default,
             "explanation" => option.explanation,
         )),
         "limits" => dict!(py;

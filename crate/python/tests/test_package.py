@@ -148,7 +148,7 @@ def test_progress_rises_and_what_it_raises_ends_the_fit():
 
 
 def test_the_lock_is_released_and_ctrl_c_ends_a_fit():
-    model = fit4cad.generate("towers", spacing=0.004)
+    model = fit4cad.generate("towers", spacing=0.002)
     ticks = []
     done = threading.Event()
 

@@ -10,4 +10,5 @@ DEGRADED: dict[str, tuple[str, list[str], dict[str, float]]] = {
     "test-10-noise": ("Ten test models, noise", _TEN, {"noise": 0.001, "seed": 1}),
     "test-10-outliers": ("Ten test models, outliers", _TEN, {"outliers": 0.05, "seed": 1}),
     "test-10-missing": ("Ten test models, missing regions", _TEN, {"missing": 0.2, "seed": 1}),
+    "test-10-density": ("Ten test models, uneven density", _TEN, {"density": 10, "seed": 1}),
 }

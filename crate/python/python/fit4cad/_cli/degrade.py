@@ -20,7 +20,7 @@ WORDS = "Makes worse scans of the models found in the given files, folders and z
 
 def wear() -> list[dict[str, Any]]:
     """What can be done to the points of any model, the seed apart."""
-    return [each for each in declared()["sampleOptions"] if each["name"] not in ("spacing", "seed")]
+    return declared()["wear"]
 
 
 def _numbers() -> list[dict[str, Any]]:
