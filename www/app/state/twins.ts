@@ -4,7 +4,6 @@ import { batch } from "@preact/signals";
 import { contents, type Content } from "./contents";
 import { freeName } from "./identity";
 import { bareName, brought, discard, override, type BroughtFile } from "./inbox";
-import type { ModelFile } from "../../worker/protocol";
 
 /** A model that has come, and the one of its name that was there. */
 export interface Twin {
@@ -44,15 +43,11 @@ const PIECE = 1 << 22;
 /** Makes submissions of the new models; the result makes them models of their own again. */
 export function joinTwins(twins: readonly Twin[]): () => void {
   const clouds = new Map<string, BroughtFile>();
-  const joined: ModelFile[] = [];
   batch(() => {
     for (const { fresh, old } of twins) {
       const taken = new Set(old.source.files.flatMap(({ method }) => method ?? []));
       const method = freeName("submission", taken);
-      for (const file of segmentationOf(fresh)) {
-        override(file.path, { model: old.id, method });
-        joined.push(file);
-      }
+      for (const { path } of segmentationOf(fresh)) override(path, { model: old.id, method });
       const path = cloudOf(fresh)?.path ?? "";
       const cloud = brought.value.get(path);
       if (cloud) clouds.set(path, cloud);
@@ -61,7 +56,7 @@ export function joinTwins(twins: readonly Twin[]): () => void {
   });
   return () =>
     batch(() => {
-      for (const { path } of joined) override(path, {});
+      for (const { path } of twins.flatMap(({ fresh }) => segmentationOf(fresh))) override(path, {});
       brought.value = new Map([...brought.value, ...clouds]);
     });
 }
