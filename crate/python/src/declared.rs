@@ -25,6 +25,21 @@ macro_rules! list {
     }};
 }
 
+/// A number that may be given: its name, unit, range, default and what it does.
+macro_rules! number {
+    ($py:expr; $info:expr) => {
+        dict!($py;
+            "name" => $info.name,
+            "unit" => $info.unit,
+            "minimum" => $info.minimum,
+            "maximum" => $info.maximum,
+            "default" => $info.default,
+            "whole" => $info.whole,
+            "explanation" => $info.explanation,
+        )
+    };
+}
+
 const fn better(better: Better) -> &'static str {
     match better {
         Better::Higher => "higher",
@@ -44,15 +59,7 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
             "title" => method.title(),
             "fullName" => method.full_name(),
             "meaning" => method.meaning(),
-            "parameters" => list!(py; heeded, |info| dict!(py;
-                "name" => info.name,
-                "unit" => info.unit,
-                "minimum" => info.minimum,
-                "maximum" => info.maximum,
-                "default" => info.default,
-                "whole" => info.whole,
-                "explanation" => info.explanation,
-            )),
+            "parameters" => list!(py; heeded, |info| number!(py; info)),
         )
     });
     let scale = Scale::default();
@@ -108,24 +115,8 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
             "title" => part.title,
             "description" => part.description,
         )),
-        "sampleOptions" => list!(py; sample::OPTIONS, |option| dict!(py;
-            "name" => option.name,
-            "unit" => option.unit,
-            "minimum" => option.minimum,
-            "maximum" => option.maximum,
-            "default" => option.default,
-            "whole" => option.whole,
-            "explanation" => option.explanation,
-        )),
-        "wear" => list!(py; sample::WEAR, |option| dict!(py;
-            "name" => option.name,
-            "unit" => option.unit,
-            "minimum" => option.minimum,
-            "maximum" => option.maximum,
-            "default" => option.default,
-            "whole" => option.whole,
-            "explanation" => option.explanation,
-        )),
+        "sampleOptions" => list!(py; sample::OPTIONS, |option| number!(py; option)),
+        "wear" => list!(py; sample::WEAR, |option| number!(py; option)),
         "roles" => list!(py; format::Role::ALL, |role| dict!(py;
             "name" => role.name(),
             "meaning" => role.meaning(),
