@@ -3,13 +3,13 @@
 //!
 //! ```text
 //! cargo run --release --example evaluate -- DIR [--method ht|pg] [--seed N] [--every N]
-//!     [--only 9,14] [--at-least PRIMITIVES] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE] [--levels SHARE,…]
+//!     [--only 9,14] [--at-least PRIMITIVES] [--counted POINTS] [--thin FACTOR] [--drop SHARE] [--turn] [--noise SHARE] [--levels SHARE,…]
 //!     [--digits N] [--outliers SHARE] [--missing SHARE] [--lost] [--diagnose] [--moved]
 //!     [NAME=VALUE]…
 //! ```
-//! DIR holds PC1.txt, PC1_primitives.txt, …; `parts` stands for the catalogue of generated parts and
+//! DIR holds PC1.txt, PC1_primitives.txt, …, by any names; `parts` stands for the catalogue of generated parts and
 //! for combs of narrow grooves ([`comb`]). `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
-//! then, they lose. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
+//! then, they lose. `--counted` leaves true primitives of fewer points out of the mean DSC. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
 //! that were not found well, `--diagnose` also says at which stage each was lost. `--levels` runs all for each of several
 //! levels of noise, a line each. `--moved`
 //! scores nothing, but counts the points whose labels change when the cloud is moved, turned, scaled or shuffled
@@ -40,6 +40,7 @@ struct Options {
     every: usize,
     only: Vec<String>,
     at_least: usize,
+    counted: usize,
     stress: Stress,
     lost: bool,
     diagnose: bool,
@@ -132,6 +133,7 @@ impl Options {
             every: 1,
             only: Vec::new(),
             at_least: 1,
+            counted: 1,
             stress: Stress::default(),
             lost: false,
             diagnose: false,
@@ -156,6 +158,7 @@ impl Options {
                 "--every" => options.every = value()?.parse::<usize>()?.max(1),
                 "--only" => options.only = value()?.split(',').map(name_of).collect(),
                 "--at-least" => options.at_least = value()?.parse()?,
+                "--counted" => options.counted = value()?.parse()?,
                 "--thin" => options.stress.thin = value()?.parse()?,
                 "--drop" => options.stress.drop = value()?.parse()?,
                 "--turn" => options.stress.turn = true,
@@ -228,15 +231,21 @@ fn models(options: &Options) -> Result<Models<'static>, Box<dyn Error>> {
 
 type Models<'o> = Box<dyn Iterator<Item = Result<Model, Box<dyn Error>>> + 'o>;
 
-/// Models of the folder asked for, by number.
+/// Models with a truth in the folder asked for, by number and name.
 fn names(options: &Options) -> Result<Vec<String>, Box<dyn Error>> {
     let mut numbered: Vec<(u32, String)> = fs::read_dir(&options.folder)?
         .filter_map(|entry| {
             let file = entry.ok()?.file_name().into_string().ok()?;
             let name = file.strip_suffix(".txt")?;
-            let number = name.strip_prefix("PC")?.parse().ok()?;
+            let number = name
+                .strip_prefix("PC")
+                .and_then(|digits| digits.parse().ok());
+            let has_truth = options
+                .folder
+                .join(format!("{name}_primitives.txt"))
+                .exists();
             let wanted = options.only.is_empty() || options.only.iter().any(|only| only == name);
-            wanted.then(|| (number, name.to_owned()))
+            (wanted && has_truth).then(|| (number.unwrap_or(0), name.to_owned()))
         })
         .collect();
     numbered.sort();
@@ -309,7 +318,7 @@ fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
         points: model.cloud.len(),
         truth: truth.primitives.len(),
         found: found.primitives.len(),
-        dsc: mean(Measure::Dsc),
+        dsc: counted_dsc(&report, options.counted),
         prediction_dsc: report.hidden.prediction_dsc.unwrap_or(0.0),
         types_right,
         types,
@@ -319,6 +328,14 @@ fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
         seconds,
         lost,
     })
+}
+
+/// Mean DSC of the true primitives of at least so many points.
+fn counted_dsc(report: &Report, least: usize) -> f64 {
+    let rows = report.primitives.iter().filter(|row| row.size >= least);
+    let of = rows.map(|row| row.classification[Measure::Dsc].unwrap_or(0.0));
+    let (sum, count) = of.fold((0.0, 0usize), |(sum, count), dsc| (sum + dsc, count + 1));
+    sum / count.max(1) as f64
 }
 
 /// A line for each primitive that nothing found matches well.

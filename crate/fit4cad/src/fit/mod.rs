@@ -242,6 +242,7 @@ pub fn find(
         Method::Hough => hough::find(search, observer)?,
         Method::Growing => growing::find(search, observer)?,
     }
+    thin::scattered::scattered(search, observer)?;
     specks::specks(search, observer)
 }
 

@@ -12,7 +12,7 @@ pub use contacts::split_contacts;
 pub use halves::join_halves;
 pub use label::{Labels, label};
 pub use patches::{Patch, patches};
-pub use prune::prune;
+pub use prune::{prune, share_adrift};
 
 use super::Parameters;
 use super::progress::{Cancelled, Observer, Stage};

@@ -65,7 +65,7 @@ fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
 const SPARE: usize = 2;
 
 /// Share of the points around a patch that no patch holds.
-fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
+pub fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
     let (mut outside, mut unheld) = (0u32, 0u32);
     for &index in &candidate.support {
         for &neighbour in search.graph.of(index).iter().take(8) {

@@ -8,6 +8,7 @@
 //! coaxial, swept         surfaces through few points, about or along what is known beside them
 //! rows                   what the rows of points on a thin face prove
 //! borders                where accepted surfaces end and nothing yet begins
+//! scattered              thin faces of points that are in no rows
 //! ```
 //!
 //! Every fitter shares these; they differ in how they choose among the surfaces proposed.
@@ -20,6 +21,8 @@ pub mod curve;
 pub mod plan;
 pub mod profile;
 pub mod rows;
+mod scatter;
+pub mod scattered;
 pub mod swept;
 
 use super::Search;
