@@ -99,7 +99,11 @@ test("results that were never published are only noted", async ({ page, complain
 });
 
 test("without a network the page says so", async ({ page, context, complaints }) => {
+  const sheetCame = page.waitForResponse(/\/add-sheet-[^/]+\.js$/);
   await open(page);
+  // The sheet is fetched a while after a model is seen, with what it is made of.
+  await sheetCame;
+  await page.waitForTimeout(500);
   await context.setOffline(true);
   const sheet = await download(page, "1");
   await expect(sheet.locator(".outcome")).toContainText("You are offline, and raw.githubusercontent.com cannot be reached");

@@ -125,6 +125,40 @@ test("hidden labels are neither drawn nor found", async ({ stage }) => {
   expect((await hitAt())[1]).not.toBe(6);
 });
 
+test("a locked label is drawn, and the cursor finds what lies behind it", async ({ stage }) => {
+  const shown = await count(stage, PURPLE, 0, 0.5);
+  const found = await stage.evaluate(async () => {
+    const { view, block, LabelState } = window.harness;
+    view.setStates(0, [2, 2, 2, 2, 2, 2, LabelState.Locked]);
+    const place = view.project(0, [0, 0, 0.5]) ?? { x: 0, y: 0 };
+    const hit = await view.pick(place.x, place.y);
+    return hit && block(60).labels[hit.index];
+  });
+  expect(await count(stage, PURPLE, 0, 0.5)).toBe(shown);
+  expect(found).toBeDefined();
+  expect(found).not.toBe(6);
+});
+
+test("what lies outside the clipping box is neither drawn nor found", async ({ stage }) => {
+  const [red, yellow] = [await count(stage, RED), await count(stage, YELLOW)];
+  await stage.evaluate(() => window.harness.view.setClipBox({ low: [0, 0, 0], high: [1, 1, 0.5] }));
+  expect(await count(stage, PURPLE)).toBe(0);
+  expect(await count(stage, RED)).toBeGreaterThan(0.3 * red);
+  expect(await count(stage, RED)).toBeLessThan(0.7 * red);
+  await stage.evaluate(() => window.harness.view.setClipBox({ low: [0, 0, 0], high: [0.9, 1, 0.5] }));
+  expect(await count(stage, YELLOW)).toBeLessThan(0.05 * yellow);
+  const circle = await stage.evaluate(() => {
+    const { view, block } = window.harness;
+    const { positions } = block(60);
+    const place = view.project(0, [0, 0, 0]) ?? { x: 0, y: 0 };
+    const indices = view.pointsIn(0, { kind: "circle", ...place, radius: 400 }, false);
+    return Math.max(...Array.from(indices, (index) => positions[3 * index + 2] ?? 0));
+  });
+  expect(circle).toBeLessThanOrEqual(0.001);
+  await stage.evaluate(() => window.harness.view.setClipBox({ low: [0, 0, 0], high: [1, 1, 1] }));
+  expect(await count(stage, RED)).toBe(red);
+});
+
 test("picking finds the very point, on the side it is asked on", async ({ stage }) => {
   const found = await stage.evaluate(async () => {
     const { view, block } = window.harness;

@@ -3,6 +3,7 @@
 
 import * as Comlink from "comlink";
 import init, { Model, compare, datasetStatistics, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
+import type { Model as WholeModel } from "../generated/engine/engine.js";
 import { comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
 import { EXPORT_COLOURS } from "../shared/palette.mjs";
 import { stayAlive } from "./alive";
@@ -56,6 +57,19 @@ async function read(source: ModelSource): Promise<Model> {
 function letGo(): void {
   held?.model.free();
   held = undefined;
+}
+
+let heldWhole: { key: string; model: WholeModel } | undefined;
+
+/** The model as the whole engine has it, kept as well: a section follows the hand. */
+async function readWhole(source: ModelSource): Promise<WholeModel> {
+  const whole = await wholeEngine();
+  if (heldWhole?.key !== source.key) {
+    heldWhole?.model.free();
+    heldWhole = undefined;
+    heldWhole = { key: source.key, model: modelOf(whole.Model, source.name, source.files) };
+  }
+  return heldWhole.model;
 }
 
 /** Read by the whole engine where the scorer leaves something to it. */
@@ -131,6 +145,14 @@ const worker: EngineWorker = {
 
   async histogram(source, wanted, bins, logarithmic) {
     return (await read(source)).histogram([...wanted], bins, logarithmic);
+  },
+
+  async pointsInBins(source, wanted, bins, logarithmic, first, last) {
+    return (await read(source)).pointsInBins([...wanted], bins, logarithmic, first, last);
+  },
+
+  async section(source, method, axis, share, thickness) {
+    return (await readWhole(source)).section(axis, share, thickness, method);
   },
 
   async summarise(scores) {

@@ -28,6 +28,7 @@ import type {
   Role,
   SampleOptions,
   Scores,
+  SectionInfo,
   Segment,
 } from "../generated/engine/engine.js";
 import type { FieldResult } from "../shared/formats/field.mjs";
@@ -173,6 +174,10 @@ export interface EngineWorker {
   figure(source: ModelSource, method: string): Promise<Uint32Array<ArrayBuffer>>;
   /** Distances to surfaces, counted on one scale. */
   histogram(source: ModelSource, wanted: readonly Counted[], bins: number, logarithmic: boolean): Promise<Histogram>;
+  /** The points, ascending and each once, that the intervals `first` to `last` of that histogram count; a list for each of those asked for. */
+  pointsInBins(source: ModelSource, wanted: readonly Counted[], bins: number, logarithmic: boolean, first: number, last: number): Promise<readonly Uint32Array[]>;
+  /** The cross-section across an axis, at a share of the cloud's extent, of points in a layer as thick as a share of its diagonal; nothing of no points. */
+  section(source: ModelSource, method: string | undefined, axis: number, share: number, thickness: number): Promise<SectionInfo | undefined>;
   /** Sums up reports method by method: one call for all of them. */
   summarise(scores: Scores): Promise<MethodSummary[]>;
   /** Compares own figures with others, measure by measure; both row after row. */

@@ -40,6 +40,8 @@ mod primitive;
 mod recognition;
 mod report;
 #[cfg(feature = "workshop")]
+mod section;
+#[cfg(feature = "workshop")]
 mod single;
 mod statistics;
 mod stop;
@@ -91,6 +93,8 @@ pub use recognition::{Answered, Rates, RecognitionInfo, Segment, rates};
 pub use report::{
     FitMeasures, Hidden, Measures, PredictionReport, Protocol, Report, TruthReport, TypeConfusion,
 };
+#[cfg(feature = "workshop")]
+pub use section::{CurveInfo, SectionInfo};
 #[cfg(feature = "workshop")]
 pub use single::{SingleInfo, Singles, VerdictInfo};
 pub use statistics::{

@@ -94,16 +94,8 @@ impl Model {
         bins: u32,
         logarithmic: bool,
     ) -> Result<Ts<Histogram>, JsError> {
-        let mut chosen: Vec<Vec<&Primitive>> = Vec::new();
-        for of in &wanted {
-            let of = of.to_rust()?;
-            let primitives = &self.segmentation(of.method.as_deref())?.primitives;
-            let places = of.places.iter();
-            let found = places.filter_map(|&place| primitives.get(place as usize));
-            chosen.push(found.collect());
-        }
-        let limit = farthest(&self.model, chosen.iter().flatten().copied());
-        let bins = Bins::new(bins as usize, limit, logarithmic);
+        let chosen = self.counted(&wanted)?;
+        let bins = self.bins(&chosen, bins, logarithmic);
         let count = |primitives: &Vec<&Primitive>| {
             let primitives = primitives.iter();
             let counts = primitives.flat_map(|primitive| bins.counts(&self.model, primitive));
@@ -115,6 +107,31 @@ impl Model {
         })
     }
 
+    /// For each of those asked for, the indices, ascending and each once, of the points whose distance
+    /// is in the intervals `first` to `last` of [`Model::histogram`] of the same.
+    ///
+    /// # Errors
+    /// If there is no such submission, or no truth.
+    #[wasm_bindgen(js_name = pointsInBins)]
+    pub fn points_in_bins(
+        &self,
+        wanted: Vec<Ts<Counted>>,
+        bins: u32,
+        logarithmic: bool,
+        first: u32,
+        last: u32,
+    ) -> Result<Vec<Uint32Array>, JsError> {
+        let chosen = self.counted(&wanted)?;
+        let bins = self.bins(&chosen, bins, logarithmic);
+        let intervals = first as usize..=last as usize;
+        let points = |primitives: &Vec<&Primitive>| {
+            let primitives = primitives.iter().copied();
+            let found = bins.points_in(&self.model, primitives, &intervals);
+            Uint32Array::from(found.as_slice())
+        };
+        Ok(chosen.iter().map(points).collect())
+    }
+
     /// The largest distance of a listed point to the surface of its primitive; 0 where there is none.
     ///
     /// # Errors
@@ -122,5 +139,25 @@ impl Model {
     pub fn farthest(&self, method: Option<String>) -> Result<f64, JsError> {
         let primitives = &self.segmentation(method.as_deref())?.primitives;
         Ok(farthest(&self.model, primitives))
+    }
+}
+
+impl Model {
+    /// The primitives that are asked for, in their order.
+    fn counted(&self, wanted: &[Ts<Counted>]) -> Result<Vec<Vec<&Primitive>>, JsError> {
+        let mut chosen: Vec<Vec<&Primitive>> = Vec::new();
+        for of in wanted {
+            let of = of.to_rust()?;
+            let primitives = &self.segmentation(of.method.as_deref())?.primitives;
+            let places = of.places.iter();
+            let found = places.filter_map(|&place| primitives.get(place as usize));
+            chosen.push(found.collect());
+        }
+        Ok(chosen)
+    }
+
+    fn bins(&self, chosen: &[Vec<&Primitive>], count: u32, logarithmic: bool) -> Bins {
+        let limit = farthest(&self.model, chosen.iter().flatten().copied());
+        Bins::new(count as usize, limit, logarithmic)
     }
 }

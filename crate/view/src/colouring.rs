@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::cloud::Cloud;
 
-/// What a label's points look like. A faded or hidden point is not found by the cursor.
+/// What a label's points look like. A faded, hidden or locked point is not found by the cursor.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -17,6 +17,8 @@ pub enum LabelState {
     Shown = 2,
     /// Drawn in its colour, with an outline.
     Highlighted = 3,
+    /// Drawn in its colour; not picked.
+    Locked = 4,
 }
 
 impl LabelState {
@@ -26,11 +28,12 @@ impl LabelState {
             0 => Self::Hidden,
             1 => Self::Faded,
             3 => Self::Highlighted,
+            4 => Self::Locked,
             _ => Self::Shown,
         }
     }
 
-    /// Whether the cursor finds its points: what is faded lets it through to what is not.
+    /// Whether the cursor finds its points: what is faded or locked lets it through to what is not.
     pub fn can_be_picked(self) -> bool {
         matches!(self, Self::Shown | Self::Highlighted)
     }
@@ -210,6 +213,15 @@ mod tests {
         assert_eq!(colouring.state(0), LabelState::Hidden);
         assert_eq!(colouring.state(1), LabelState::Highlighted);
         assert_eq!(colouring.state(2), LabelState::Shown);
+    }
+
+    #[test]
+    fn what_is_locked_is_drawn_and_lets_the_cursor_through() {
+        let mut colouring = Colouring::default();
+        colouring.set_states(&[2, 4]);
+        assert_eq!(colouring.state(1), LabelState::Locked);
+        assert!(!colouring.state(1).can_be_picked());
+        assert!(colouring.state(0).can_be_picked());
     }
 
     #[test]

@@ -12,10 +12,10 @@ extern crate fit4cad_testing;
 
 pub mod boundary;
 pub mod camera;
+pub mod clip;
 pub mod cloud;
 pub mod colouring;
 pub mod controls;
-pub mod cut;
 pub mod draw;
 pub mod lasso;
 pub mod layout;

@@ -5,9 +5,9 @@ use glam::{Vec3, Vec4};
 use tsify::Tsify;
 
 use crate::camera::{Camera, Lens};
+use crate::clip::{Clip, ClipBox};
 use crate::cloud::{Bounds, Cloud};
 use crate::colouring::{Colouring, Revised};
-use crate::cut::{self, Cut};
 use crate::layout::{Layout, Pane, Panes, Side};
 use crate::patch::SurfacePatch;
 use crate::sight::{PointScale, Sight};
@@ -35,8 +35,8 @@ pub struct Display {
     pub ink: Vec3,
     /// Whether the directions of the axes are shown in a corner.
     pub gizmo: bool,
-    /// A plane that cuts the cloud open.
-    pub cut: Option<Cut>,
+    /// The box outside of which nothing is shown.
+    pub clip_box: ClipBox,
 }
 
 impl Default for Display {
@@ -47,7 +47,7 @@ impl Default for Display {
             background: Vec3::ONE,
             ink: Vec3::ZERO,
             gizmo: true,
-            cut: None,
+            clip_box: ClipBox::default(),
         }
     }
 }
@@ -163,14 +163,13 @@ impl Scene {
             lens: self.lens(pane),
             scale: self.point_scale(frame, drawn.min(total)),
             count: drawn.min(total),
-            cut: self.cut_plane(),
+            clip: self.clip(),
         }
     }
 
-    /// The plane beyond which nothing is seen; [`cut::NONE`] where all is.
-    pub fn cut_plane(&self) -> Vec4 {
-        let bounds = self.cloud.get().bounds();
-        self.display.cut.map_or(cut::NONE, |cut| cut.plane(bounds))
+    /// The part of space that is shown.
+    pub fn clip(&self) -> Clip {
+        self.display.clip_box.clip(self.cloud.get().bounds())
     }
 
     /// The camera that frames the whole cloud in a picture.

@@ -1,8 +1,7 @@
 //! How the points of a pane are seen.
 
-use glam::Vec4;
-
 use crate::camera::Lens;
+use crate::clip::Clip;
 use crate::layout::Pane;
 
 /// How large a point is drawn.
@@ -27,6 +26,6 @@ pub struct Sight {
     pub scale: PointScale,
     /// How many points are drawn, from the start of the shuffled order.
     pub count: usize,
-    /// The plane beyond which points are hidden, as [`hides`](crate::cut::hides) reads it.
-    pub cut: Vec4,
+    /// The part of space outside of which points are hidden.
+    pub clip: Clip,
 }

@@ -96,7 +96,7 @@ export async function load() {
       model.numbers();
       if (from.below(2) === 0) model.imperfect(number());
       for (let step = 0; step < 6; step += 1) {
-        switch (from.below(19)) {
+        switch (from.below(21)) {
           case 0: model.score(method(), any(() => from.one(["definition", "published", "other"]))); break;
           case 1: model.write(method()); break;
           case 2: model.primitives(method()); model.members(method()); break;
@@ -115,6 +115,8 @@ export async function load() {
           case 15: engine.distribution(numbers()); engine.compareFigures(numbers(), numbers(), from.below(2) === 1); break;
           case 16: model.conditions(); engine.declaredCondition(any(() => from.one(CONDITIONS)), number()); break;
           case 17: engine.rates(any(() => model.segments(method(), from.one(SCALES)))); break;
+          case 18: model.section(number(), number(), number(), method()); break;
+          case 19: model.pointsInBins(from.list(3, () => any(() => ({ method: method(), places: any(() => from.list(4, number)) }))), from.byte(), from.below(2) === 1, number(), number()); break;
           default: engine.datasetStatistics([any(() => model.statistics())]);
         }
       }

@@ -3,11 +3,14 @@
 import type { JSX } from "preact";
 import { computed, effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import type { Counted } from "../engine/contract";
 import type { ModelSource, SegmentationScene } from "../../worker/protocol";
 import { engine } from "../engine/client";
 import { latest } from "../engine/latest";
 import { partnersOf, segmentationOf, segmentColours } from "../stage/colouring";
+import { brush, setBrush, setBrushed, takeBrushBack } from "../stage/brush";
 import { reports } from "../stage/reports";
+import { where } from "../stage/where";
 import { modelById } from "../state/models";
 import { notify } from "../state/notices";
 import { scene } from "../state/scene";
@@ -15,6 +18,7 @@ import { selectedModel, selectedPrimitive, togglePrimitive, type PrimitiveRef, t
 import * as format from "../ui/format";
 import { Table, type Column } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
+import { BrushLayer, startDrag, type Bins } from "./brush";
 import { Chart } from "./figure";
 import { decades, drawn, leading, Plot, tick, type Frame } from "./plot";
 
@@ -69,6 +73,8 @@ interface Histogram extends Question {
 
 /** Intervals of a histogram. */
 const BINS = 24;
+/** Room beside the frame of the drawing, in pixels. */
+const MARGINS = { left: 48, right: 16 } as const;
 
 /** Most points lie close to their surface: on a linear axis they are all one bar. */
 const logarithmic = signal(true);
@@ -104,16 +110,61 @@ const count = latest(async (asked: Question | undefined) => {
     histogram.value = undefined;
     return;
   }
-  const wanted = asked.sides.map(({ method, places }) => ({ ...(method !== undefined && { method }), places: [...places] }));
-  const { edges, counts } = await engine.run((api) => api.histogram(asked.source, wanted, BINS, asked.logarithmic));
+  const { edges, counts } = await engine.run((api) => api.histogram(asked.source, countedOf(asked), BINS, asked.logarithmic));
   histogram.value = { ...asked, edges, halves: asked.sides.map((side, at) => halfOf(side, counts[at] ?? new Uint32Array(), edges)) };
 });
 
+function countedOf({ sides }: Question): Counted[] {
+  return sides.map(({ method, places }) => ({ ...(method !== undefined && { method }), places: [...places] }));
+}
+
+/** The intervals of the range that is chosen. */
+const chosen = computed<Bins | undefined>(() => {
+  const [current, range] = [histogram.value, brush.value];
+  if (!current || !range) return undefined;
+  const nearest = (value: number) => {
+    const away = Array.from(current.edges, (edge) => Math.abs(current.logarithmic ? Math.log(edge / value) : edge - value));
+    return value === Infinity ? BINS : value <= (current.edges[0] ?? 0) ? 0 : away.indexOf(Math.min(...away));
+  };
+  const from = Math.min(BINS - 1, nearest(range.low));
+  return { from, to: Math.max(from + 1, nearest(range.high)) };
+});
+
+/** Asks which points are in the intervals, for the picture. A range may move faster than it is answered. */
+const find = latest(async ({ bins, asked }: { bins: Bins | undefined; asked: Histogram | undefined }) => {
+  if (!bins || !asked) return;
+  const { from, to } = bins;
+  const found = await engine.run((api) => api.pointsInBins(asked.source, countedOf(asked), BINS, asked.logarithmic, from, to - 1));
+  const points = Object.fromEntries(asked.sides.map(({ side }, at) => [side, found[at] ?? new Uint32Array()]));
+  const counts = asked.sides.map(({ series }, at) => `${format.plural(found[at]?.length ?? 0, "point")} of ${series}`);
+  const low = from === 0 ? "0" : bound(asked, from);
+  setBrushed({ where: where.peek(), points, words: `Distances ${low} to ${bound(asked, to)}: ${counts.join(", ")}` });
+});
+
+function bound({ edges }: Histogram, at: number): string {
+  return (edges[at] ?? 0).toPrecision(3);
+}
+
 /** Counts what is in view, and what comes into it, until the result is called. */
 function follow(): () => void {
-  return effect(() => {
-    count(question.value).catch((error: unknown) => notify(error instanceof Error ? error.message : String(error), "error"));
-  });
+  const tell = (error: unknown) => notify(error instanceof Error ? error.message : String(error), "error");
+  const ends = [
+    effect(() => {
+      count(question.value).catch(tell);
+    }),
+    effect(() => {
+      find({ bins: chosen.value, asked: histogram.value }).catch(tell);
+    }),
+  ];
+  return () => ends.forEach((end) => end());
+}
+
+function choose({ from, to }: Bins): void {
+  const edges = histogram.peek()?.edges;
+  if (!edges) return;
+  if (from === 0 && to === BINS) takeBrushBack();
+  // The first interval takes all that is smaller, the last all that is larger.
+  else setBrush(from === 0 ? 0 : (edges[from] ?? 0), to === BINS ? Infinity : (edges[to] ?? 0));
 }
 
 /** Stacks the primitives' counts: a bar of blocks over each interval. */
@@ -179,13 +230,22 @@ export function DistanceChart(): JSX.Element | null {
   const title = `Distances to the surface, ${current.primitive ? `${current.primitive} of ` : ""}${current.model}`;
   const empty = current.halves.every(({ blocks }) => blocks.length === 0);
   if (empty) return <p class="empty">No distances: {title.toLowerCase()} has no surface to measure from.</p>;
+  const brushing = {
+    bins: chosen.value ?? { from: 0, to: BINS },
+    count: BINS,
+    ...MARGINS,
+    words: (at: number) => (at === 0 ? "0" : bound(current, at)),
+    onChange: choose,
+  };
   return (
     <Chart
       name="distances"
       title={title}
-      description={`Number of points by their distance to the surface of their primitive, in the units of the file. ${current.primitive ? "The selected primitive and its partner." : "Colours as in the view; select a primitive to see it alone."}`}
+      description={`Number of points by their distance to the surface of their primitive, in the units of the file. ${current.primitive ? "The selected primitive and its partner." : "Colours as in the view; select a primitive to see it alone."} Drag over the bars, or move the handles at either end with the arrow keys, to see the points of a range in the picture; Escape takes it back.`}
       draw={(frame) => draw(frame, current)}
       logarithmic={logarithmic}
+      over={<BrushLayer {...brushing} />}
+      onPress={(event) => startDrag(event, brushing)}
       table={() => <Table caption={title} columns={columnsOf(current)} rows={rowsOf(current)} keyOf={({ bin }) => String(bin)} />}
     />
   );
@@ -198,10 +258,10 @@ function draw(frame: Frame, { edges, logarithmic, halves }: Histogram): SVGSVGEl
   const series = halves.map((half) => ({ side: half.side, text: half.series }));
   return drawn(frame, {
     height: 60 + 120 * halves.length,
-    marginLeft: 48,
+    marginLeft: MARGINS.left,
     marginTop: 12,
     marginBottom: 38,
-    marginRight: 16,
+    marginRight: MARGINS.right,
     x: { domain: [low, high], type: logarithmic ? "log" : "linear", label: "Distance →" },
     y: { label: null, nice: true },
     fy: { domain: names, axis: null, padding: 0.12 },

@@ -1,6 +1,6 @@
 // One chart: drawn, read as a table, or saved.
 
-import type { ComponentChildren, JSX } from "preact";
+import type { ComponentChildren, JSX, TargetedPointerEvent } from "preact";
 import { useSignal, type Signal } from "@preact/signals";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { download } from "../export/download";
@@ -16,11 +16,14 @@ interface Props {
   readonly draw: (frame: Frame) => SVGSVGElement;
   /** Whether the axis of its values is logarithmic, where there is a choice. */
   readonly logarithmic?: Signal<boolean>;
+  /** What lies over the drawing, in a box of its size, and what a press in that box begins. */
+  readonly over?: ComponentChildren;
+  readonly onPress?: (event: TargetedPointerEvent<HTMLElement>) => void;
   /** The figures that are drawn. */
   readonly table: () => ComponentChildren;
 }
 
-export function Chart({ name, title, description, draw, logarithmic, table }: Props): JSX.Element {
+export function Chart({ name, title, description, draw, logarithmic, over, onPress, table }: Props): JSX.Element {
   const id = useId();
   const asTable = useSignal(false);
   const width = useSignal(0);
@@ -84,7 +87,10 @@ export function Chart({ name, title, description, draw, logarithmic, table }: Pr
           {table()}
         </div>
       ) : (
-        <div key="drawing" class="chart-drawing" ref={box} onClick={follow} />
+        <div key="drawing" class="chart-box" onPointerDown={onPress}>
+          <div class="chart-drawing" ref={box} onClick={follow} />
+          {over}
+        </div>
       )}
     </figure>
   );

@@ -40,6 +40,7 @@ export type {
   Role,
   SampleOptions,
   Scores,
+  SectionInfo,
   Severity,
   Spread,
   SurfaceInfo,

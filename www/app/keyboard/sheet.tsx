@@ -1,12 +1,10 @@
 // The sheet that lists the keys.
 
 import type { JSX } from "preact";
-import { signal } from "@preact/signals";
 import { aboutShown } from "../about/dialog";
-import { Dialog } from "../ui/dialog";
+import { KEYS } from "../shell/keys";
 import { keysOn, type ShortcutGroup } from "./shortcuts";
-
-export const keysShown = signal(false);
+import { keysShown } from "./shown";
 
 interface Explained {
   readonly title: string;
@@ -25,6 +23,21 @@ const ELSEWHERE: readonly Explained[] = [
     ],
   },
   {
+    title: "In the primitives by type",
+    keys: [
+      ["↑ ↓", "Walk the types and primitives"],
+      ["← →", "Name, eye, lock and “Only” of a row"],
+      ["Enter", "Fold, select, hide, lock or show only it"],
+    ],
+  },
+  {
+    title: "In the chart of distances",
+    keys: [
+      ["← →", "Move a handle of the range by a bar; Page ↑ ↓ by four"],
+      ["Esc", "Show all points in their colours again"],
+    ],
+  },
+  {
     title: "In the view",
     keys: [
       ["← ↑ → ↓", "Turn; with Shift, move"],
@@ -37,11 +50,11 @@ const ELSEWHERE: readonly Explained[] = [
   },
 ];
 
-export function KeySheet({ groups }: { groups: readonly ShortcutGroup[] }): JSX.Element {
+export default function KeySheet(): JSX.Element {
   return (
-    <Dialog open={keysShown} title="Keyboard" className="keys">
+    <>
       <div class="key-groups">
-        {[...groups.map(explained), ...ELSEWHERE].map(({ title, keys }) => (
+        {[...KEYS.map(explained), ...ELSEWHERE].map(({ title, keys }) => (
           <section key={title}>
             <h3>{title}</h3>
             <dl>
@@ -77,7 +90,7 @@ export function KeySheet({ groups }: { groups: readonly ShortcutGroup[] }): JSX.
           About the playground: the paper, how to cite, licence, privacy
         </button>
       </p>
-    </Dialog>
+    </>
   );
 }
 

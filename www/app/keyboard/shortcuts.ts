@@ -22,7 +22,7 @@ export const keysOn = remembered("keys", "on", ["on", "off"] as const);
 export function listen(groups: readonly ShortcutGroup[]): void {
   window.addEventListener("keydown", (event) => {
     if (keysOn.value === "off" && event.key !== "Escape") return;
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || isTyping(event)) return;
     if (document.querySelector("dialog[open], :popover-open")) return;
     const found = groups.flatMap(({ shortcuts }) => shortcuts).find(({ key }) => key === event.key);
     if (!found) return;
@@ -31,6 +31,8 @@ export function listen(groups: readonly ShortcutGroup[]): void {
   });
 }
 
-function isTyping(target: EventTarget | null): boolean {
+function isTyping({ target, key }: KeyboardEvent): boolean {
+  // In a slider or a box to tick there is nothing that Escape would take back.
+  if (key === "Escape" && target instanceof Element && target.matches("input:is([type=range], [type=checkbox], [type=radio])")) return false;
   return target instanceof HTMLElement && (target.isContentEditable || target.matches("input, textarea, select"));
 }

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import { protocol } from "../state/settings";
 import { capitalised } from "../ui/format";
-import { compareAll, protocolShown } from "./protocol-dialog";
+import { compareAll, protocolShown } from "./protocol-shown";
 import { PROTOCOLS } from "./protocols";
 import { Icon } from "../ui/icon";
 

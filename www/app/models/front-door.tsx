@@ -1,7 +1,7 @@
 // What a first visitor reads: what this is, and the three ways on. It stands beside the sample that opens the page.
 
 import type { JSX } from "preact";
-import { adding } from "../intake/add-dialog";
+import { adding } from "../intake/adding";
 import { PageLink } from "../navigation/page-link";
 import { showPanel } from "../state/panels";
 

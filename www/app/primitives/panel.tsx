@@ -1,5 +1,5 @@
-// One row per primitive of the selected model: the true ones with their match, then the predictions
-// that match nothing.
+// The primitives of the selected model as a table, or by type as a tree. In the table there is one row per
+// primitive: the true ones with their match, then the predictions that match nothing.
 
 import type { JSX } from "preact";
 import { computed, signal } from "@preact/signals";
@@ -17,12 +17,20 @@ import {
   type PrimitiveRef,
 } from "../state/selection";
 import { placeOfMatch } from "../state/matches";
-import { protocol } from "../state/settings";
+import { protocol, remembered } from "../state/settings";
 import { count, words } from "../ui/columns";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { segmentColour, UNSEGMENTED } from "../view/palette";
 import { FoundPrimitives } from "./found";
+import { PrimitiveTree } from "./tree";
+
+const AS = [
+  { id: "table", title: "Table" },
+  { id: "tree", title: "By type" },
+] as const;
+
+const shownAs = remembered("primitives", "table", ["table", "tree"] as const);
 
 interface TruthRow {
   readonly index: number;
@@ -135,6 +143,27 @@ function concerns(ref: PrimitiveRef | undefined, row: TruthRow): boolean {
 }
 
 export default function PrimitivesPanel(): JSX.Element {
+  const choice = (
+    <fieldset class="switch primitives-as">
+      <legend class="visually-hidden">Primitives as</legend>
+      {AS.map(({ id, title }) => (
+        <label key={id}>
+          <input type="radio" name="primitives-as" checked={shownAs.value === id} onChange={() => (shownAs.value = id)} />
+          <span>{title}</span>
+        </label>
+      ))}
+    </fieldset>
+  );
+  if (shownAs.value === "tree") return <PrimitiveTree>{choice}</PrimitiveTree>;
+  return (
+    <>
+      {choice}
+      <PrimitiveTable />
+    </>
+  );
+}
+
+function PrimitiveTable(): JSX.Element {
   const report = selectedReports.value?.[protocol.value];
   if (!report) return <FoundPrimitives />;
   return (

@@ -5,7 +5,7 @@ import { AboutDialog } from "../about/dialog";
 import { ExplainPopover } from "../measures/explain";
 import { AddDialog } from "../intake/add-dialog";
 import { DropZone } from "../intake/dropzone";
-import { KeySheet } from "../keyboard/sheet";
+import { KeyDialog } from "../keyboard/dialog";
 import { PictureDialog } from "../picture/dialog";
 import { ProtocolDialog } from "../measures/protocol-dialog";
 import { SharedBanner } from "../sharing/banner";
@@ -14,7 +14,6 @@ import { HOME, page } from "../state/router";
 import { Lazy } from "../ui/lazy";
 import { PageLink } from "../navigation/page-link";
 import { Header } from "./header";
-import { KEYS } from "./keys";
 import { PAGES } from "./registry/pages";
 import { StatusBar } from "./statusbar";
 
@@ -50,7 +49,7 @@ export function App(): JSX.Element {
       <ShareDialog />
       <ProtocolDialog />
       <PictureDialog />
-      <KeySheet groups={KEYS} />
+      <KeyDialog />
       <AboutDialog />
       <ExplainPopover />
     </>

@@ -2,8 +2,8 @@
 
 import type { JSX } from "preact";
 import { aboutShown } from "../about/dialog";
-import { adding } from "../intake/add-dialog";
-import { keysShown } from "../keyboard/sheet";
+import { adding } from "../intake/adding";
+import { keysShown } from "../keyboard/shown";
 import { ProtocolSwitch } from "../measures/protocol-switch";
 import { sharing } from "../sharing/share";
 import { page } from "../state/router";

@@ -1,15 +1,16 @@
 // Which key does what.
 
-import { adding } from "../intake/add-dialog";
-import { keysShown } from "../keyboard/sheet";
+import { adding } from "../intake/adding";
+import { keysShown } from "../keyboard/shown";
 import type { ShortcutGroup } from "../keyboard/shortcuts";
 import { focusSearch } from "../models/list";
 import { toggleProtocol } from "../measures/protocol-switch";
 import { stopRebuilding } from "../sharing/rebuild";
 import { sharing } from "../sharing/share";
 import { currentView, picturing } from "../stage/current";
-import { frameSelected, hideSelected, showAll, toggleIsolated } from "../stage/isolation";
-import { cutAcross } from "../stage/display";
+import { takeBrushBack } from "../stage/brush";
+import { frameSelected, hideSelected, lockSelected, showAll, takeAsideBack, toggleIsolated } from "../stage/isolation";
+import { takeCutBack } from "../stage/display";
 import { takeTapeBack, toggleMeasuring } from "../stage/tape";
 import { cancelFitting } from "../state/fitting";
 import { modelById, models } from "../state/models";
@@ -41,7 +42,7 @@ function leave(): void {
   if (takeTapeBack()) return;
   if (selectedPrimitive.value) selectedPrimitive.value = undefined;
   else if (alone.value) alone.value = false;
-  else cutAcross.value = "none";
+  else if (!takeBrushBack() && !takeAsideBack()) takeCutBack();
 }
 
 function stopWork(): void {
@@ -72,8 +73,9 @@ export const KEYS: readonly ShortcutGroup[] = [
       { key: "f", shown: "F", what: "Frame it, or everything", run: frameSelected },
       { key: "i", shown: "I", what: "Isolate it", run: toggleIsolated },
       { key: "h", shown: "H", what: "Hide it", run: hideSelected },
+      { key: "l", shown: "L", what: "Lock it against clicks in the picture, or unlock it", run: lockSelected },
       { key: "a", shown: "A", what: "Show all again", run: showAll },
-      { key: "Escape", shown: "Esc", what: "Take back the last point measured, the selection, the picture alone, the cut", run: leave },
+      { key: "Escape", shown: "Esc", what: "Take back the last point measured, the selection, the picture alone, the range of distances, what is hidden, what is locked, the clipping box, the cut", run: leave },
     ],
   },
   {

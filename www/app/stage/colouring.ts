@@ -36,6 +36,8 @@ export interface Shown {
   readonly selected: PrimitiveRef | undefined;
   /** What the engine makes of each submission's points, where it has been asked and has answered. */
   readonly outcomes?: Outcomes;
+  /** The points that stand out, where not all do: all others have labels of their own, to be faded. */
+  readonly brushed?: Readonly<Partial<Record<Side, Uint32Array>>> | undefined;
 }
 
 /** Labels of points by what a submission makes of them, in the modes that show that. */
@@ -51,6 +53,19 @@ export function submissionOf(side: Side): "prediction" | "rival" {
 }
 
 export function labelling(mode: ColourMode, side: Side, shown: Shown): Labelling {
+  const whole = unbrushed(mode, side, shown);
+  return shown.brushed ? brushedOut(whole, shown.brushed[side] ?? new Uint32Array()) : whole;
+}
+
+/** Every label twice: as it was for the points that stand out, and in a second series for all others. */
+function brushedOut(whole: Labelling, points: Uint32Array): Labelling {
+  const { labels, colours } = whole;
+  const moved = labels.map((label) => label + colours.length);
+  for (const index of points) moved[index] = labels[index] ?? 0;
+  return { ...whole, labels: moved, colours: [...colours, ...colours] };
+}
+
+function unbrushed(mode: ColourMode, side: Side, shown: Shown): Labelling {
   const { scene } = shown;
   const segmentation = segmentationOf(scene, side);
   const points = scene.positions.length / 3;
@@ -138,6 +153,11 @@ export function partnersOf(reports: Reports, { side, index }: PrimitiveRef): Par
     ...(rival !== undefined && { rival }),
     [side]: index,
   };
+}
+
+/** Whether a primitive is meant by another: it is the same, or a partner of it. */
+export function isMeantBy(reports: Reports, ref: PrimitiveRef | undefined, { side, index }: PrimitiveRef): boolean {
+  return ref !== undefined && partnersOf(reports, ref)[side] === index;
 }
 
 export function members({ offsets, indices }: SegmentationScene, place: number): Uint32Array {

@@ -4,7 +4,7 @@ import { computed, signal } from "@preact/signals";
 import { scene } from "../state/scene";
 import { leftShows, rightIsTruth, type Side } from "../state/selection";
 import { remembered } from "../state/settings";
-import type { Cut, Layout } from "../view/types";
+import type { ClipBox, Layout } from "../view/types";
 import { COLOUR_MODES, segmentationOf, type ColourMode } from "./colouring";
 
 export const ARRANGEMENTS = [
@@ -74,8 +74,32 @@ export const cutAcross = signal<(typeof CUTS)[number]["id"]>("none");
 export const cutAt = signal(0.5);
 export const cutBelow = signal(false);
 
-export const cut = computed<Cut | undefined>(() =>
-  cutAcross.value === "none"
-    ? undefined
-    : { axis: CUTS.findIndex(({ id }) => id === cutAcross.value) - 1, share: cutAt.value, below: cutBelow.value },
+/** The shares of the cloud's extent along x, y and z between which points are shown; all of them where there is no box. */
+export const clipBox = signal<ClipBox | undefined>(undefined);
+/** As the box is at first: it hides nothing. */
+export const WHOLE_BOX: ClipBox = { low: [0, 0, 0], high: [1, 1, 1] };
+
+/** Takes the box away, then the cut. */
+export function takeCutBack(): void {
+  if (clipBox.value) clipBox.value = undefined;
+  else cutAcross.value = "none";
+}
+
+/** The plane that cuts the cloud open: across the axis 0, 1 or 2, from 0 at the least coordinate to 1 at the greatest. */
+export const cut = computed(() =>
+  cutAcross.value === "none" ? undefined : { axis: CUTS.findIndex(({ id }) => id === cutAcross.value) - 1, share: cutAt.value },
 );
+
+/** What box and cut both leave. */
+export const shownBox = computed<ClipBox>(() => {
+  const { low, high } = clipBox.value ?? WHOLE_BOX;
+  const { axis, share } = cut.value ?? { axis: -1, share: 0 };
+  const cutAway = ([x, y, z]: ClipBox["low"], to: (side: number) => number): ClipBox["low"] => [
+    axis === 0 ? to(x) : x,
+    axis === 1 ? to(y) : y,
+    axis === 2 ? to(z) : z,
+  ];
+  return cutBelow.value
+    ? { low: cutAway(low, (side) => Math.max(side, share)), high }
+    : { low, high: cutAway(high, (side) => Math.min(side, share)) };
+});

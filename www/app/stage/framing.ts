@@ -3,6 +3,7 @@
 import { scene } from "../state/scene";
 import { selectedPrimitive, type PrimitiveRef } from "../state/selection";
 import type { PointView } from "../view/point-view";
+import { brushed } from "./brush";
 import { labelling, labelsOf, partnersOf, segmentationOf } from "./colouring";
 import { colourMode, sides } from "./display";
 import { outcomes } from "./outcomes";
@@ -23,7 +24,7 @@ export function frame(view: PointView, ref: PrimitiveRef): boolean {
   // The labels of some colourings tell outcomes, and a point that several primitives list has that of one of them.
   view.setLabels(side, labelsOf(segmentation, state.scene.positions.length / 3, [place]));
   view.fitLabels(side, [place + 1]);
-  const now = { scene: state.scene, reports: reports.peek(), selected: selectedPrimitive.peek(), outcomes: outcomes.peek() };
+  const now = { scene: state.scene, reports: reports.peek(), selected: selectedPrimitive.peek(), outcomes: outcomes.peek(), brushed: brushed.peek()?.points };
   view.setLabels(side, labelling(colourMode.peek(), name, now).labels);
   return true;
 }

@@ -1,19 +1,20 @@
 // Keeps a view in step with the page's state: what is shown, how it is coloured, what stands out.
 
-import { effect } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import { modelById } from "../state/models";
 import { scene } from "../state/scene";
 import { hoveredPrimitive, selectedPrimitive, type PrimitiveRef, type Side as SideName } from "../state/selection";
 import { isDark } from "../state/settings";
 import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
+import { brushed } from "./brush";
 import { labelling, partnersOf, segmentationOf, table, type Labelling, type Shown } from "./colouring";
 import { isSameCloud } from "./cloud";
-import { hidden, isolated } from "./isolation";
+import { asideLooks, hidden, isolated, locked, restHidden } from "./isolation";
 import { linkOutcomes, outcomes } from "./outcomes";
 import { linkSurfaces } from "./surfaces";
 import { awaitedCamera, restingCamera } from "./camera";
-import { colourMode, cut, eyeDome, pointSize, projection, sides, unsegmentedShown } from "./display";
+import { colourMode, eyeDome, pointSize, projection, shownBox, sides, unsegmentedShown } from "./display";
 import { reports } from "./reports";
 
 const SIDES = [0, 1] as const satisfies Side[];
@@ -25,6 +26,8 @@ const DARK = { background: "#14181c", ink: "#ffffff" };
 /** Starts keeping in step; the result ends it. */
 export function link(view: PointView): () => void {
   let cloud: Float32Array | undefined;
+  /** How many labels either side has. */
+  const counts = [signal(1), signal(1)] as const;
   const ends = [
     view.on("camera", () => (restingCamera.value = view.portableCamera)),
     effect(() => {
@@ -34,7 +37,7 @@ export function link(view: PointView): () => void {
     effect(() => view.setEyeDome(eyeDome.value === "on" ? 1 : 0)),
     effect(() => view.setPointSize({ unit: "spacing", value: pointSize.value })),
     effect(() => view.setProjection(projection.value)),
-    effect(() => view.setCut(cut.value)),
+    effect(() => view.setClipBox(shownBox.value)),
     effect(() => {
       const state = scene.value;
       if (state.kind !== "ready") return;
@@ -51,12 +54,19 @@ export function link(view: PointView): () => void {
       }
       const shown = shownNow();
       if (!shown) return;
-      for (const side of SIDES) colour(view, side, labelling(colourMode.value, sides.value[side], shown));
+      for (const side of SIDES) {
+        const what = labelling(colourMode.value, sides.value[side], shown);
+        counts[side].value = what.colours.length;
+        colour(view, side, what);
+      }
     }),
     effect(() => {
       const shown = shownNow();
       if (!shown) return;
-      for (const side of SIDES) view.setStates(side, states(sides.value[side], shown));
+      for (const side of SIDES) {
+        const own = states(sides.value[side], shown);
+        view.setStates(side, shown.brushed ? withFaded(own, counts[side].value / 2) : own);
+      }
     }),
   ];
   ends.push(linkOutcomes(), linkSurfaces(view));
@@ -70,7 +80,7 @@ function shownNow(): Shown | undefined {
   if (state.kind !== "ready") return undefined;
   // Only one colouring depends on the selection; the others need not be made anew for it.
   const selected = colourMode.value === "outcome" ? selectedPrimitive.value : undefined;
-  return { scene: state.scene, reports: reports.value, selected, outcomes: outcomes.value };
+  return { scene: state.scene, reports: reports.value, selected, outcomes: outcomes.value, brushed: brushed.value?.points };
 }
 
 function colour(view: PointView, side: Side, what: Labelling): void {
@@ -89,7 +99,7 @@ function colour(view: PointView, side: Side, what: Labelling): void {
 /** The selected primitive and its partners stand out; what is hovered joins them. */
 function states(side: SideName, shown: Shown): LabelState[] {
   const mode = colourMode.value;
-  const zero = unsegmentedShown.value === "on" ? LabelState.Shown : LabelState.Hidden;
+  const zero = unsegmentedShown.value === "on" && !restHidden.value ? LabelState.Shown : LabelState.Hidden;
   // The outcome alone has colour; the rest of the object only tells where.
   if (mode === "outcome") return [zero === LabelState.Shown && selectedPrimitive.value ? LabelState.Faded : zero];
   if (mode === "figure" && side !== "truth") return [zero];
@@ -100,12 +110,23 @@ function states(side: SideName, shown: Shown): LabelState[] {
   const rest = selected ? aside : LabelState.Shown;
   const all = new Array<LabelState>(count + 1).fill(rest);
   all[0] = zero === LabelState.Hidden ? zero : rest;
+  const placeOf = (ref: PrimitiveRef | undefined) => ref && partnersOf(shown.reports, ref)[side];
   const raise = (ref: PrimitiveRef | undefined, state: LabelState) => {
-    const place = ref && partnersOf(shown.reports, ref)[side];
+    const place = placeOf(ref);
     if (place !== undefined) all[place + 1] = state;
   };
   raise(selected, LabelState.Shown);
   raise(hovered, LabelState.Highlighted);
-  for (const ref of hidden.value) raise(ref, LabelState.Hidden);
+  const gone = asideLooks.value === "faint" ? LabelState.Faded : LabelState.Hidden;
+  for (const ref of hidden.value.values()) raise(ref, gone);
+  for (const ref of locked.value.values()) {
+    if (all[(placeOf(ref) ?? NaN) + 1] === LabelState.Shown) raise(ref, LabelState.Locked);
+  }
   return all;
+}
+
+/** The states of so many labels, and of their second series for the points that do not stand out. */
+function withFaded(own: readonly LabelState[], count: number): LabelState[] {
+  const all = Array.from({ length: count }, (_, label) => own[label] ?? LabelState.Shown);
+  return [...all, ...all.map((state) => (state === LabelState.Hidden ? state : LabelState.Faded))];
 }

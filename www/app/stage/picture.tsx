@@ -11,6 +11,8 @@ import { ViewCanvas } from "../view/view-canvas";
 import { currentView } from "./current";
 import { layout, wipeAt } from "./display";
 import { frame } from "./framing";
+import { brushed, takeBrushBack } from "./brush";
+import { isLocked } from "./isolation";
 import { Legend } from "./legend";
 import { link } from "./link";
 import { SelectionTools } from "./selection-tools";
@@ -41,6 +43,7 @@ export function Picture(): JSX.Element {
         {!(current.kind === "single" && current.side === 0) && <SideName at="right" />}
         <Legend />
         <SelectionTools />
+        <BrushedWords />
         <Tape view={currentView.value} />
         {pointed.value && <Tooltip {...pointed.value} />}
         <State />
@@ -66,12 +69,14 @@ function attach(created: PointView): () => void {
       return;
     }
     const ref = refOf(hit);
+    // The view finds no locked point, but where colours tell outcomes it does not know the primitives.
+    if (ref && isLocked(ref)) return;
     if (ref) togglePrimitive(ref);
     else selectedPrimitive.value = undefined;
   });
   created.on("doubleClick", (hit) => {
     const ref = refOf(hit);
-    if (ref) {
+    if (ref && !isLocked(ref)) {
       selectedPrimitive.value = ref;
       frame(created, ref);
     } else {
@@ -83,6 +88,19 @@ function attach(created: PointView): () => void {
     currentView.value = undefined;
     pointed.value = undefined;
   };
+}
+
+/** What stands out by its distance to the surface, wherever the chart is that chose it. */
+function BrushedWords(): JSX.Element | null {
+  if (!brushed.value) return null;
+  return (
+    <p class="tape brushed">
+      <span role="status">{brushed.value.words}</span>
+      <button type="button" class="link" title="Show all points in their colours again (Esc)" onClick={takeBrushBack}>
+        Clear
+      </button>
+    </p>
+  );
 }
 
 function State(): JSX.Element | null {

@@ -5,7 +5,7 @@ import { computed } from "@preact/signals";
 import { scene } from "../state/scene";
 import { selectedPrimitive } from "../state/selection";
 import { Icon } from "../ui/icon";
-import { frameSelected, hidden, hideSelected, isolated, showAll, toggleIsolated } from "./isolation";
+import { frameSelected, hiddenCount, hideSelected, isLocked, isolated, locked, lockSelected, showAll, toggleIsolated, unlockAll } from "./isolation";
 import { wordsFor } from "./tooltip";
 
 const name = computed(() => {
@@ -15,7 +15,8 @@ const name = computed(() => {
 });
 
 export function SelectionTools(): JSX.Element | null {
-  if (!name.value && hidden.value.length === 0) return null;
+  const ref = selectedPrimitive.value;
+  if (!name.value && hiddenCount.value === 0 && locked.value.size === 0) return null;
   return (
     <div class="selection-tools" role="group" aria-label="Selected primitive">
       {name.value && (
@@ -30,11 +31,19 @@ export function SelectionTools(): JSX.Element | null {
           <button type="button" title="Hide (H)" onClick={hideSelected}>
             Hide
           </button>
+          <button type="button" title="Lock: a click in the picture does not find it (L)" aria-pressed={ref !== undefined && isLocked(ref)} onClick={lockSelected}>
+            Lock
+          </button>
         </>
       )}
-      {hidden.value.length > 0 && (
-        <button type="button" title="Show all (A)" onClick={showAll}>
-          Show {hidden.value.length} hidden
+      {hiddenCount.value > 0 && (
+        <button type="button" title="Show all (A, Esc)" onClick={showAll}>
+          Show {hiddenCount.value} hidden
+        </button>
+      )}
+      {locked.value.size > 0 && (
+        <button type="button" title="Unlock all (Esc)" onClick={unlockAll}>
+          Unlock {locked.value.size}
         </button>
       )}
       {name.value && (

@@ -6,13 +6,17 @@ import type { PointView } from "../view/point-view";
 import { LookFrom } from "../view/look-from";
 import { alone, toggleAlone } from "../state/extent";
 import { scene } from "../state/scene";
+import { goToPanel } from "../state/panels";
 import { Icon } from "../ui/icon";
+import { Lazy } from "../ui/lazy";
 import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 import { picturing } from "./current";
 import {
+  WHOLE_BOX,
   arrangement,
   ARRANGEMENTS,
+  clipBox,
   colourMode,
   cutAcross,
   cutAt,
@@ -26,6 +30,8 @@ import {
   type Arrangement,
 } from "./display";
 import { measuring, toggleMeasuring } from "./tape";
+
+const loadClipBox = () => import("./clip-box");
 
 export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
   return (
@@ -110,8 +116,16 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
                 <input type="checkbox" checked={cutBelow.value} onChange={(event) => (cutBelow.value = event.currentTarget.checked)} />
                 Show what lies above it
               </label>
+              <button type="button" onClick={() => goToPanel("section")}>
+                Show the cross-section
+              </button>
             </>
           )}
+          <label class="check">
+            <input type="checkbox" checked={clipBox.value !== undefined} onChange={(event) => (clipBox.value = event.currentTarget.checked ? WHOLE_BOX : undefined)} />
+            Clipping box
+          </label>
+          {clipBox.value && <Lazy load={loadClipBox} title="Clipping box" />}
         </div>
       </Popover>
     </div>

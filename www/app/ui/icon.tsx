@@ -26,9 +26,14 @@ const PATHS = {
 export type IconName = keyof typeof PATHS;
 
 export function Icon({ name }: { name: IconName }): JSX.Element {
+  return <Glyph path={PATHS[name]} />;
+}
+
+/** An icon that only a part of the page has. */
+export function Glyph({ path }: { path: string }): JSX.Element {
   return (
     <svg class="glyph" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true" focusable="false">
-      <path d={PATHS[name]} />
+      <path d={path} />
     </svg>
   );
 }

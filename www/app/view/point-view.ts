@@ -6,7 +6,7 @@ import { bytes, rgb, SEQUENTIAL } from "./palette";
 import { PickQueue } from "./pick-queue";
 import {
   type CameraState,
-  type Cut,
+  type ClipBox,
   type Hit,
   type LabelState,
   type Layout,
@@ -207,9 +207,9 @@ export class PointView {
     this.change((view) => view.set_gizmo(shown));
   }
 
-  /** Hides what lies above a plane across an axis, or below it; its place is 0 at the cloud's least coordinate, 1 at its greatest. */
-  setCut(cut: Cut | undefined): void {
-    this.change((view) => (cut ? view.set_cut(cut.axis, cut.share, cut.below) : view.clear_cut()));
+  /** Hides what lies outside a box. */
+  setClipBox({ low, high }: ClipBox): void {
+    this.change((view) => view.set_clip_box(Float32Array.of(...low, ...high)));
   }
 
   setTheme(theme: Theme): void {

@@ -17,12 +17,10 @@ export const STANDPOINTS: readonly { readonly standpoint: Standpoint; readonly n
   Standpoint.Isometric,
 ].map((standpoint) => ({ standpoint, name: Standpoint[standpoint].toLowerCase() }));
 
-/** A plane that cuts the cloud open, across the axis 0, 1 or 2. */
-export interface Cut {
-  readonly axis: number;
-  /** From 0 at the least coordinate to 1 at the greatest. */
-  readonly share: number;
-  readonly below: boolean;
+/** A box outside of which nothing is shown: along x, y and z from 0 at the least coordinate to 1 at the greatest. */
+export interface ClipBox {
+  readonly low: readonly [number, number, number];
+  readonly high: readonly [number, number, number];
 }
 
 /** Background, and the colour of what must stand out from it; `#rrggbb`. */

@@ -1,6 +1,7 @@
 //! Distances to surfaces, counted for a histogram.
 
-use crate::cloud::Point;
+use std::ops::RangeInclusive;
+
 use crate::model::{Model, Primitive};
 
 /// Orders of magnitude below the largest distance that a logarithmic histogram tells apart: below a
@@ -62,12 +63,34 @@ impl Bins {
     /// without surface have no distance.
     pub fn counts(&self, model: &Model, primitive: &Primitive) -> Vec<u32> {
         let mut counts = vec![0; self.count];
-        for distance in distances(model, primitive) {
+        for (_, distance) in distances(model, primitive) {
             if let Some(count) = counts.get_mut(self.of(distance)) {
                 *count += 1;
             }
         }
         counts
+    }
+
+    /// Indices, ascending and each once, of the points that one of the primitives lists and whose
+    /// distance to its surface is in one of the intervals. O(n).
+    pub fn points_in<'a>(
+        &self,
+        model: &Model,
+        primitives: impl IntoIterator<Item = &'a Primitive>,
+        intervals: &RangeInclusive<usize>,
+    ) -> Vec<u32> {
+        let mut is_in = vec![false; model.cloud.len()];
+        for primitive in primitives {
+            for (index, distance) in distances(model, primitive) {
+                if intervals.contains(&self.of(distance))
+                    && let Some(is_in) = is_in.get_mut(index as usize)
+                {
+                    *is_in = true;
+                }
+            }
+        }
+        let found = (0_u32..).zip(is_in).filter(|(_, is_in)| *is_in);
+        found.map(|(index, _)| index).collect()
     }
 }
 
@@ -76,23 +99,25 @@ impl Bins {
 pub fn farthest<'a>(model: &Model, primitives: impl IntoIterator<Item = &'a Primitive>) -> f64 {
     let all = primitives.into_iter();
     all.flat_map(|primitive| distances(model, primitive))
+        .map(|(_, distance)| distance)
         .fold(0.0, f64::max)
 }
 
-/// Distance of each listed point to its primitive's surface; none without a surface.
-fn distances(model: &Model, primitive: &Primitive) -> impl Iterator<Item = f64> {
+/// Each listed point's index and its distance to the primitive's surface; none without a surface.
+fn distances(model: &Model, primitive: &Primitive) -> impl Iterator<Item = (u32, f64)> {
     let surface = primitive.surface.as_ref();
     let points = model.cloud.points();
-    let at = |index: &u32| points.get(*index as usize);
-    let distance = move |point: &Point| surface.map(|surface| surface.distance(point));
-    let listed = primitive.points.iter().filter_map(at);
-    listed.filter_map(distance)
+    let listed = primitive.points.iter();
+    listed.filter_map(move |&index| {
+        let point = points.get(index as usize)?;
+        Some((index, surface?.distance(point)))
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cloud::{Cloud, Vector};
+    use crate::cloud::{Cloud, Point, Vector};
     use crate::surface::{Plane, Surface};
 
     #[test]
@@ -132,6 +157,11 @@ mod tests {
         let bins = Bins::new(4, 4.0, false);
         assert_eq!(bins.counts(&model, &all), [2, 1, 0, 2]);
         assert_eq!(bins.counts(&model, &bare), [0; 4]);
+        let chosen = |intervals| bins.points_in(&model, [&all, &all, &bare], &intervals);
+        assert_eq!(chosen(1..=2), [2]);
+        assert_eq!(chosen(0..=3), [0, 1, 2, 3, 4]);
+        assert!(chosen(2..=2).is_empty());
+        assert_eq!(chosen(3..=9), [3, 4]);
     }
 
     #[test]

@@ -14,6 +14,7 @@ mod parametric;
 pub mod patch;
 mod plane;
 pub mod polynomial;
+pub mod section;
 mod sphere;
 mod torus;
 

@@ -5,7 +5,6 @@ use wasm_bindgen::prelude::*;
 
 use super::View;
 use super::plain::{Hit, Picked};
-use crate::cut::hides;
 use crate::draw::gl::GlError;
 use crate::draw::picking::{PickState, visible_in};
 use crate::draw::renderer::Renderer;
@@ -202,7 +201,7 @@ impl View {
                 .into_iter()
                 .filter(|&place| {
                     let point = cloud.positions().get(place as usize);
-                    if point.is_none_or(|point| hides(&sight.cut, point)) {
+                    if point.is_none_or(|point| sight.clip.hides(point)) {
                         return false;
                     }
                     let label = labels.get(place as usize).copied().unwrap_or(0);

@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::*;
 use super::View;
 use super::crossing::{GivenLayout, GivenPatch, GivenPointSize};
 use super::plain::SurfacePatch;
+use crate::clip::ClipBox;
 use crate::colouring::ColourBy;
-use crate::cut::Cut;
 use crate::layout::{Layout, Side};
 use crate::patch as scene;
 use crate::scene::PointSize;
@@ -127,15 +127,15 @@ impl View {
         self.scene.display.eye_dome = strength.clamp(0.0, 10.0);
     }
 
-    /// Hides what lies above a plane across an axis (0, 1, 2), or below it; its place is 0 at the
-    /// cloud's least coordinate, 1 at its greatest.
-    pub fn set_cut(&mut self, axis: usize, share: f32, below: bool) {
-        self.scene.display.cut = Some(Cut { axis, share, below });
-    }
-
-    /// Shows all again.
-    pub fn clear_cut(&mut self) {
-        self.scene.display.cut = None;
+    /// Hides what lies outside a box: the shares of the cloud's extent along x, y and z at which it
+    /// begins, then those at which it ends; 0 at the least coordinate and 1 at the greatest.
+    pub fn set_clip_box(&mut self, shares: &[f32]) {
+        if let &[a, b, c, d, e, f] = shares {
+            self.scene.display.clip_box = ClipBox {
+                low: Vec3::new(a, b, c),
+                high: Vec3::new(d, e, f),
+            };
+        }
     }
 
     /// Shows or hides the directions of the axes in the corner.

@@ -1,8 +1,9 @@
 //! Draws patches of fitted surfaces: translucent meshes with their rims, axes, radii and apexes.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3};
 
 use crate::camera::Lens;
+use crate::clip::Clip;
 use crate::draw::gl::{Buffer, Gl, GlError, Program, VertexArray};
 use crate::draw::lines::{Line, LineBuffer, Lines};
 use crate::layout::Side;
@@ -33,14 +34,14 @@ const FRAGMENT: &str = "
 in vec3 outer;
 in vec3 ray;
 in vec3 place;
-uniform vec4 cut;       // what lies beyond this plane is hidden
+uniform vec3 clip_low, clip_high; // what lies outside this box is hidden
 uniform vec3 colour;
 uniform float opacity;
 uniform float facing;   // 1 draws what faces the viewer, -1 the rest
 out vec4 fragment;
 
 void main() {
-    if (dot(cut.xyz, place) > cut.w) discard;
+    if (any(lessThan(place, clip_low)) || any(greaterThan(place, clip_high))) discard;
     float slant = dot(normalize(outer), normalize(ray));
     if (slant * facing < 0.0) discard;
     float sheen = pow(abs(slant), 24.0) * 0.35;
@@ -50,8 +51,9 @@ void main() {
 }
 ";
 
-const UNIFORMS: [&str; 8] = [
-    "cut",
+const UNIFORMS: [&str; 9] = [
+    "clip_low",
+    "clip_high",
     "view_projection",
     "eye",
     "towards",
@@ -174,7 +176,7 @@ impl Patches {
         lines: &Lines,
         side: Side,
         lens: &Lens,
-        cut: &Vec4,
+        clip: &Clip,
         (viewport, pixel_ratio, lift): (Vec2, f32, f32),
     ) {
         if self.pieces.is_empty() {
@@ -189,7 +191,8 @@ impl Patches {
         let towards = (!lens.perspective).then_some(lens.rotation * Vec3::Z);
         program.set_vec3(gl, "towards", towards.unwrap_or(Vec3::ZERO));
         program.set_f32(gl, "lift", lift);
-        program.set_vec4(gl, "cut", *cut);
+        program.set_vec3(gl, "clip_low", clip.low);
+        program.set_vec3(gl, "clip_high", clip.high);
         program.set_f32(gl, "opacity", OPACITY);
         self.array.bind(gl);
         let eye = lens.eye;

@@ -22,7 +22,7 @@ uniform vec2 range;
 uniform vec3 background;
 uniform sampler2D label_table;
 uniform sampler2D colour_map;
-uniform vec4 cut;               // what lies beyond this plane is hidden
+uniform vec3 clip_low, clip_high; // what lies outside this box is hidden
 flat out vec4 colour;
 #ifdef TILTED
 uniform vec3 right, up, back;   // the camera's axes
@@ -34,7 +34,10 @@ void main() {
     uint row = min(label, MAX_LABEL);
     vec4 entry = texelFetch(label_table, ivec2(int(row & 1023u), int(row >> 10)), 0);
     int state = int(entry.a * 255.0 + 0.5);
-    if (state < LEAST_STATE || dot(cut.xyz, position) > cut.w) {
+#ifdef PICK
+    if (state == 4) state = 0; // locked: lets the cursor through
+#endif
+    if (state < LEAST_STATE || any(lessThan(position, clip_low)) || any(greaterThan(position, clip_high))) {
         // Outside the clip volume: costs no fragment.
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         gl_PointSize = 1.0;
@@ -104,8 +107,9 @@ void main() {
 }
 ";
 
-const UNIFORMS: [&str; 14] = [
-    "cut",
+const UNIFORMS: [&str; 15] = [
+    "clip_low",
+    "clip_high",
     "eye",
     "view_projection",
     "scale",
@@ -198,7 +202,7 @@ impl Points {
         Ok(Self {
             show: program("#define LEAST_STATE 1\n")?,
             show_tilted: program("#define TILTED\n#define BULGE 0.02\n#define LEAST_STATE 1\n")?,
-            // What is faded lets the cursor through to what is not.
+            // What is faded or locked lets the cursor through to what is not.
             pick: program(
                 "#define PICK\n#define TILTED\n#define BULGE 0.3\n#define LEAST_STATE 2\n",
             )?,
@@ -276,7 +280,7 @@ impl Points {
             lens,
             scale,
             count,
-            cut,
+            clip,
         } = sight;
         let count = i32::try_from(*count.min(&self.count)).unwrap_or(i32::MAX);
         let Some(side) = self.sides.get(pane.side.index()) else {
@@ -293,7 +297,8 @@ impl Points {
         program.set_mat4(gl, "view_projection", &lens.view_projection);
         program.set_f32(gl, "scale", lens.scale);
         program.set_f32(gl, "diameter", scale.diameter);
-        program.set_vec4(gl, "cut", *cut);
+        program.set_vec3(gl, "clip_low", clip.low);
+        program.set_vec3(gl, "clip_high", clip.high);
         program.set_vec2(gl, "pixels", Vec2::new(scale.least, scale.greatest));
         side.palette.bind(gl);
         side.array.bind(gl);

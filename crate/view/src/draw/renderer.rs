@@ -210,7 +210,7 @@ impl Renderer {
             outline: display.ink,
             outline_width: OUTLINE_WIDTH * frame.pixel_ratio,
         };
-        let cut = scene.cut_plane();
+        let clip = scene.clip();
         for pane in scene.panes(frame).iter() {
             let visible = shot.enter(gl, pane);
             gl.viewport(0, 0, tile.width, tile.height);
@@ -221,7 +221,7 @@ impl Renderer {
             let lift = scene.cloud.get().spacing();
             let style = (viewport, frame.pixel_ratio, lift);
             self.patches
-                .draw(gl, &self.lines, pane.side, &lens, &cut, style);
+                .draw(gl, &self.lines, pane.side, &lens, &clip, style);
         }
         gl.disable(Gl::SCISSOR_TEST);
         if display.gizmo {

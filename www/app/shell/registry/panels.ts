@@ -30,6 +30,7 @@ export const PANELS: readonly PanelDefinition[] = [
   { id: "comparison", title: "Comparison", what: "Two methods, model by model", load: () => import("../../comparison/panel") },
   { id: "field", title: "Protocols", what: "The same results by the rules of the field", load: () => import("../../field/panel") },
   { id: CAD_PANEL, title: "From CAD", what: "The faces of a STEP file: what became of each, and importing it in another way", offered: () => anyStep.value, load: () => import("../../cad/panel") },
+  { id: "section", title: "Section", what: "A cross-section: the points near the cut, and the fitted curves through them", load: () => import("../../section/panel") },
   { id: "files", title: "Files", what: "Which file is taken for what, to be corrected", load: () => import("../../files/panel") },
   { id: SHARED_PANEL, title: "Shared", what: "What the link of this page holds, and whether it is borne out", offered: isLinkOpen, badge: sharedBadge, load: () => import("../../sharing/panel") },
 ];
