@@ -13,6 +13,7 @@ mod labels;
 pub mod limits;
 mod number;
 mod paths;
+mod pieces;
 mod primitives;
 mod read;
 mod readers;

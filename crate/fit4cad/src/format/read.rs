@@ -9,6 +9,7 @@ use super::counting;
 use super::foreign::Purpose;
 use super::labels::Segment;
 use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
+use super::pieces::{self, Piece, Union};
 use super::primitives::{PointList, read_counted};
 use super::readers::{Readers, Taken};
 use super::surfaces::{SurfaceFile, read_surfaces};
@@ -185,12 +186,19 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
         ));
         return reader.finish(model);
     };
+    let mut of_pieces = vec![cloud];
     for other in clouds {
-        reader.diagnostics.push(second(other.path(), cloud.path()));
+        if is_piece(cloud) && is_piece(other) {
+            of_pieces.push(other);
+        } else {
+            reader.diagnostics.push(second(other.path(), cloud.path()));
+        }
     }
-    let content = reader.read(cloud, |path, bytes| cloud_of(path, bytes, readers));
-    let (file, unread) = content.unwrap_or_default();
-    reader.unread |= unread;
+    let file = if of_pieces.len() == 1 {
+        reader.cloud(cloud, readers)
+    } else {
+        reader.union(&of_pieces, readers)
+    };
     model.cloud = file.cloud;
 
     // Truth (no method) sorts first.
@@ -204,6 +212,11 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
             Role::Implicit => &mut of_method.implicit,
         };
         match slot {
+            Some(first)
+                if file.role() == Role::Primitives && is_piece(*first) && is_piece(file) =>
+            {
+                of_method.pieces.push(file);
+            }
             Some(first) => reader.diagnostics.push(second(file.path(), first.path())),
             None => *slot = Some(file),
         }
@@ -228,6 +241,11 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
         }
     }
     reader.finish(model)
+}
+
+/// Whether a file is named as one that holds the points of a single primitive.
+fn is_piece<S: Source>(file: &S) -> bool {
+    pieces::of_path(file.path()).is_some()
 }
 
 /// What a file of segments holds.
@@ -294,6 +312,35 @@ impl Reader {
         None
     }
 
+    /// The cloud of a file; empty where it cannot be had.
+    fn cloud<S: Source>(&mut self, file: &S, readers: &Readers) -> CloudFile {
+        let content = self.read(file, |path, bytes| cloud_of(path, bytes, readers));
+        let (file, unread) = content.unwrap_or_default();
+        self.unread |= unread;
+        file
+    }
+
+    /// The cloud of a file that holds the points of one primitive: what else it says of them is left out,
+    /// as it would be said of each.
+    fn piece<S: Source>(&mut self, file: &S, readers: &Readers) -> Cloud {
+        let before = self.diagnostics.len();
+        let CloudFile { cloud, .. } = self.cloud(file, readers);
+        let own = self.diagnostics.split_off(before).into_iter();
+        self.diagnostics
+            .extend(own.filter(|finding| finding.severity > Severity::Note));
+        cloud
+    }
+
+    /// The cloud that files make together, each with the points of one primitive.
+    fn union<S: Source>(&mut self, files: &[&S], readers: &Readers) -> CloudFile {
+        let mut union = Union::default();
+        for &file in files {
+            let cloud = self.piece(file, readers);
+            self.diagnostics.extend(union.add(file.path(), &cloud));
+        }
+        union.finish()
+    }
+
     /// Counts a file of so many bytes in; says what is too much, and what would not be.
     fn admit(&mut self, size: u64) -> Result<(), (String, String)> {
         let mebibytes = |bytes: u64| format!("{} MiB", bytes.div_ceil(1 << 20));
@@ -343,6 +390,8 @@ impl Refusal {
 /// The files of one method, or of the truth.
 struct Files<'a, S> {
     primitives: Option<&'a S>,
+    /// Further files that hold the points of one primitive each, as the first does.
+    pieces: Vec<&'a S>,
     parametric: Option<&'a S>,
     implicit: Option<&'a S>,
     /// The segments that the cloud's file holds, and its path.
@@ -354,6 +403,7 @@ impl<S> Default for Files<'_, S> {
     fn default() -> Self {
         Self {
             primitives: None,
+            pieces: Vec::new(),
             parametric: None,
             implicit: None,
             own: None,
@@ -384,6 +434,10 @@ impl<S: Source> Files<'_, S> {
             }
             return None;
         };
+        if is_piece(file) {
+            let found = self.read_pieces(file, cloud, readers, reader)?;
+            return Some(self.join(file.path(), found, method, reader));
+        }
         let purpose = match method {
             None => Purpose::Truth,
             Some(_) => Purpose::Submission,
@@ -416,6 +470,36 @@ impl<S: Source> Files<'_, S> {
                 Some(segmentation)
             }
         }
+    }
+
+    /// The segments of files that hold the points of one primitive each.
+    fn read_pieces(
+        &self,
+        first: &S,
+        cloud: &Cloud,
+        readers: &Readers,
+        reader: &mut Reader,
+    ) -> Option<Found> {
+        let Some(onto) = readers.pieces else {
+            reader.unread = true;
+            return None;
+        };
+        let mut found = Vec::new();
+        for file in std::iter::once(first).chain(self.pieces.iter().copied()) {
+            // What was left over belongs to none.
+            let Some(kind) = pieces::of_path(file.path()).and_then(|name| name.kind) else {
+                continue;
+            };
+            let points = reader.piece(file, readers).into_points();
+            found.push(Piece {
+                path: file.path(),
+                kind,
+                points,
+            });
+        }
+        let (segments, findings) = onto(&found, cloud);
+        reader.diagnostics.extend(findings);
+        segments.map(Found::Segments)
     }
 
     /// What was found in a file with the surfaces that go with it.

@@ -6,6 +6,7 @@ use super::cloud::{self, CloudFile, read_cloud};
 use super::findings::{Findings, Kind};
 use super::foreign::{Content, Purpose, is_foreign, read_foreign};
 use super::labels::Segment;
+use super::pieces::{self, Piece};
 use super::segments::{is_of_labels, read_segments};
 use crate::cloud::Cloud;
 use crate::diagnostics::{Diagnostic, Severity, Subject};
@@ -28,7 +29,11 @@ pub struct Readers {
     pub(super) cloud: fn(&str, &[u8]) -> Taken<CloudFile>,
     /// Of segments of a cloud; none where the file cannot be used.
     pub(super) segments: ReadSegments,
+    /// Of segments that come as a cloud each; none where they are left for later.
+    pub(super) pieces: Option<ReadPieces>,
 }
+
+type ReadPieces = fn(&[Piece<'_>], &Cloud) -> (Option<Vec<Segment>>, Vec<Diagnostic>);
 
 type ReadSegments = fn(&str, &[u8], &Cloud, Purpose) -> Taken<Option<Vec<Segment>>>;
 
@@ -37,12 +42,14 @@ impl Readers {
     pub const ALL: Self = Self {
         cloud: read_any_cloud,
         segments: read_any_segments,
+        pieces: Some(pieces::onto),
     };
 
     /// Those that leave all but the benchmark's own files for later.
     pub const OWN: Self = Self {
         cloud: |file, bytes| taken(!is_foreign(file, bytes) && cloud::is_own(file, bytes)),
         segments: |file, bytes, _, _| taken(!is_foreign(file, bytes) && !is_of_labels(bytes)),
+        pieces: None,
     };
 }
 
