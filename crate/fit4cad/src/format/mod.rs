@@ -2,6 +2,7 @@
 
 mod assemble;
 mod cloud;
+mod contents;
 mod counting;
 mod encoding;
 mod entry;
@@ -20,7 +21,9 @@ mod readers;
 mod scan;
 mod segments;
 mod shrec;
+mod source;
 mod surfaces;
+mod window;
 mod write;
 
 #[cfg(test)]
@@ -33,8 +36,9 @@ pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, mod
 pub use labels::{Segment, by_label};
 pub use paths::{Layout, file_name, path_of};
 pub use primitives::{PointList, read_primitives};
-pub use read::{Reading, Role, Source, SourceFile, read_files, read_model};
+pub use read::{Reading, read_files, read_model};
 pub use readers::{Readers, Taken};
 pub use shrec::{read_answer, write_answer};
+pub use source::{Role, Source, SourceFile};
 pub use surfaces::{SurfaceEntry, SurfaceFile, read_surfaces};
 pub use write::{write_cloud, write_primitives, write_surfaces};

@@ -8,6 +8,7 @@ use super::foreign::{Content, Purpose, is_foreign, read_foreign};
 use super::labels::Segment;
 use super::pieces::{self, Piece};
 use super::segments::{is_of_labels, read_segments};
+use super::window::Window;
 use crate::cloud::Cloud;
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 
@@ -27,11 +28,16 @@ pub enum Taken<T> {
 pub struct Readers {
     /// Of clouds, by path and content.
     pub(super) cloud: fn(&str, &[u8]) -> Taken<CloudFile>,
+    /// Of rows of any kind, piece by piece; none where they are left for later.
+    pub(super) table: Option<ReadTable>,
     /// Of segments of a cloud; none where the file cannot be used.
     pub(super) segments: ReadSegments,
     /// Of segments that come as a cloud each; none where they are left for later.
     pub(super) pieces: Option<ReadPieces>,
 }
+
+type ReadTable =
+    fn(&str, &mut Window<'_>, usize, bool) -> Result<(CloudFile, Vec<Diagnostic>), String>;
 
 type ReadPieces = fn(&[Piece<'_>], &Cloud) -> (Option<Vec<Segment>>, Vec<Diagnostic>);
 
@@ -41,6 +47,7 @@ impl Readers {
     /// Those of every file.
     pub const ALL: Self = Self {
         cloud: read_any_cloud,
+        table: Some(cloud::read_table),
         segments: read_any_segments,
         pieces: Some(pieces::onto),
     };
@@ -48,6 +55,7 @@ impl Readers {
     /// Those that leave all but the benchmark's own files for later.
     pub const OWN: Self = Self {
         cloud: |file, bytes| taken(!is_foreign(file, bytes) && cloud::is_own(file, bytes)),
+        table: None,
         segments: |file, bytes, _, _| taken(!is_foreign(file, bytes) && !is_of_labels(bytes)),
         pieces: None,
     };

@@ -75,6 +75,11 @@ pub fn is_foreign(file: &str, bytes: &[u8]) -> bool {
     kind_of(file, bytes).is_some()
 }
 
+/// Whether a file of so many bytes is of another program, or may be, by how it begins.
+pub(super) fn may_be_foreign(file: &str, head: &[u8], size: u64) -> bool {
+    head.starts_with(b"PK\x03\x04") || mesh::is_binary_stl(head, size) || is_foreign(file, head)
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Gzip,
