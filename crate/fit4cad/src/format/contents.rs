@@ -3,7 +3,7 @@
 use super::cloud::{self, CloudFile, RowForm, read_own};
 use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
 use super::pieces::Union;
-use super::readers::{Readers, Taken};
+use super::readers::{ByPieces, Readers, Taken};
 use super::source::Source;
 use super::window::{PIECE, Text, Window};
 use crate::cloud::Cloud;
@@ -34,22 +34,24 @@ fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, S
     }
     let part = |from, to| file.part(from, to).unwrap_or_else(|| Err(GONE.to_owned()));
     let mut window = Window::open(Text { size, part: &part }, PIECE)?;
+    // Whoever reads other kinds of files begins anew.
+    let later = Ok(Some(((CloudFile::default(), true), Vec::new())));
     if !cloud::is_in_pieces(path, &window) {
-        return Ok(match readers.table {
-            Some(_) => None,
-            // Whoever reads other kinds of files begins anew.
-            None => Some(((CloudFile::default(), true), Vec::new())),
-        });
+        return match readers.by_pieces {
+            None => later,
+            Some(ByPieces { foreign, .. }) => {
+                let found = foreign(path, &mut window)?;
+                Ok(found.map(|(file, findings)| ((file, false), findings)))
+            }
+        };
     }
-    let (file, findings) = match (cloud::begin(path, &mut window)?, readers.table) {
+    let (file, findings) = match (cloud::begin(path, &mut window)?, readers.by_pieces) {
         (Err(_), _) => return Ok(None),
         (Ok((at, RowForm::Paper)), _) => cloud::read_papers_form(path, &mut window, at)?,
-        (Ok((at, RowForm::Table)), Some(read)) => {
-            read(path, &mut window, at, cloud::is_labelled(path))?
+        (Ok((at, RowForm::Table)), Some(ByPieces { table, .. })) => {
+            table(path, &mut window, at, cloud::is_labelled(path))?
         }
-        (Ok((_, RowForm::Table)), None) => {
-            return Ok(Some(((CloudFile::default(), true), Vec::new())));
-        }
+        (Ok((_, RowForm::Table)), None) => return later,
     };
     Ok(Some(((file, false), findings)))
 }

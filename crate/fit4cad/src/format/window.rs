@@ -1,4 +1,4 @@
-//! Texts that are read piece by piece: of one that is too long to be held, only what is being read is in memory.
+//! Files that are read piece by piece: of one that is too long to be held, only what is being read is in memory.
 
 use std::borrow::Cow;
 
@@ -119,6 +119,32 @@ impl<'t> Window<'t> {
         let ended = |&at: &usize| self.ends_line(at);
         let start = (0..gone.len()).rev().find(ended).map_or(0, |at| at + 1);
         self.lines = self.lines.saturating_add(self.line_ends_before(start));
+        self.drop_before(start);
+        offset - start
+    }
+
+    /// Lets go of the bytes before an offset into what is here, whatever they are, and reads the next piece.
+    ///
+    /// # Errors
+    /// Why it cannot be had.
+    pub(super) fn move_on(&mut self, offset: usize) -> Result<(), String> {
+        let offset = offset.min(self.bytes.len());
+        self.drop_before(offset);
+        self.read_on()
+    }
+
+    /// Reads on until so many bytes are here, or all there are.
+    ///
+    /// # Errors
+    /// Why they cannot be had.
+    pub(super) fn reach(&mut self, length: usize) -> Result<(), String> {
+        while self.bytes.len() < length && !self.is_last() {
+            self.read_on()?;
+        }
+        Ok(())
+    }
+
+    fn drop_before(&mut self, start: usize) {
         self.from += start as u64;
         match &mut self.bytes {
             Cow::Borrowed(bytes) => *bytes = bytes.get(start..).unwrap_or_default(),
@@ -126,7 +152,6 @@ impl<'t> Window<'t> {
                 bytes.drain(..start);
             }
         }
-        offset - start
     }
 
     /// Whether a line ends with a byte; of one that ends with `\r\n` it is the second.

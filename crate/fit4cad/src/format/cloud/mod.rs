@@ -15,10 +15,10 @@ use std::borrow::Cow;
 
 use super::encoding;
 use super::findings::{is_blank, open};
-use super::foreign::may_be_foreign;
+use super::foreign::{may_be_foreign, read_by_pieces as read_foreign_by_pieces};
 use super::labels::Segment;
 use super::scan::{Cursor, is_remark, is_whitespace};
-use super::window::Window;
+use super::window::{Text, Window};
 use crate::cloud::Cloud;
 use crate::diagnostics::Diagnostic;
 
@@ -43,6 +43,35 @@ pub fn read_cloud(file: &str, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
     read_cloud_with(file, bytes, is_labelled(file))
 }
 
+/// As [`read_cloud`], and of PLY and LAS, by pieces of so many bytes, as long files are read; the same whatever they are.
+/// Text of two bytes a character is read whole.
+pub fn read_cloud_by_pieces(
+    file: &str,
+    bytes: &[u8],
+    piece: usize,
+) -> (CloudFile, Vec<Diagnostic>) {
+    if matches!(encoding::utf8(bytes), Cow::Owned(_)) {
+        return read_cloud(file, bytes);
+    }
+    let part = |from: u64, to: u64| {
+        let [from, to] = [from, to].map(|at| usize::try_from(at).unwrap_or(usize::MAX));
+        Ok(Cow::Borrowed(bytes.get(from..to).unwrap_or_default()))
+    };
+    let text = Text {
+        size: bytes.len() as u64,
+        part: &part,
+    };
+    let read = Window::open(text, piece).and_then(|mut window| {
+        window.reach(MARK)?;
+        match read_foreign_by_pieces(file, &mut window)? {
+            Some(read) => Ok(read),
+            None => read_window(file, &mut window, is_labelled(file)),
+        }
+    });
+    // What is in memory can be had.
+    read.unwrap_or_default()
+}
+
 /// As [`read_cloud`], of a file that is known to have labels, or not.
 pub(super) fn read_cloud_with(
     file: &str,
@@ -50,14 +79,20 @@ pub(super) fn read_cloud_with(
     labelled: bool,
 ) -> (CloudFile, Vec<Diagnostic>) {
     let bytes = &*encoding::utf8(bytes);
-    let mut window = Window::whole(bytes);
-    let read = begin(file, &mut window).map(|found| match found {
-        Ok((at, RowForm::Paper)) => read_papers_form(file, &mut window, at),
-        Ok((at, RowForm::Table)) => table::read(file, &mut window, at, labelled),
-        Err(diagnostics) => Ok((CloudFile::default(), diagnostics)),
-    });
     // What is in memory can be had.
-    read.and_then(|read| read).unwrap_or_default()
+    read_window(file, &mut Window::whole(bytes), labelled).unwrap_or_default()
+}
+
+fn read_window(
+    file: &str,
+    window: &mut Window<'_>,
+    labelled: bool,
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    match begin(file, window)? {
+        Ok((at, RowForm::Paper)) => read_papers_form(file, window, at),
+        Ok((at, RowForm::Table)) => table::read(file, window, at, labelled),
+        Err(diagnostics) => Ok((CloudFile::default(), diagnostics)),
+    }
 }
 
 /// Whether a kind of file says that its last column is of labels, as Point2CAD's ending does.
@@ -90,6 +125,9 @@ pub(super) fn is_in_pieces(file: &str, window: &Window<'_>) -> bool {
     matches!(encoding::utf8(head), Cow::Borrowed(_)) && !may_be_foreign(file, head, window.size())
 }
 
+/// Longer than any mark at the beginning of a file, in bytes.
+const MARK: usize = 8;
+
 /// In what form the rows of a text are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum RowForm {
@@ -107,11 +145,7 @@ pub(super) fn begin(
     file: &str,
     window: &mut Window<'_>,
 ) -> Result<Result<(usize, RowForm), Vec<Diagnostic>>, String> {
-    // Longer than any mark at the beginning of a file.
-    const MARK: usize = 8;
-    while window.bytes().len() < MARK && !window.is_last() {
-        window.read_on()?;
-    }
+    window.reach(MARK)?;
     loop {
         let bytes = window.bytes();
         let cursor = match open(file, bytes) {

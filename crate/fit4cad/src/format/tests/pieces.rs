@@ -5,28 +5,8 @@ use std::cell::Cell;
 
 use proptest::prelude::*;
 
-use crate::diagnostics::Diagnostic;
-use crate::format::cloud::{self, CloudFile, RowForm, read_cloud_with};
 use crate::format::limits::MAX_FILE_BYTES;
-use crate::format::window::{Text, Window};
-use crate::format::{Readers, Role, Source, read_files};
-
-/// Reads a text by pieces of so many bytes.
-fn in_pieces(bytes: &[u8], piece: usize, labelled: bool) -> (CloudFile, Vec<Diagnostic>) {
-    let part = |from: u64, to: u64| Ok(Cow::Borrowed(&bytes[from as usize..to as usize]));
-    let text = Text {
-        size: bytes.len() as u64,
-        part: &part,
-    };
-    let mut window = Window::open(text, piece).unwrap();
-    match cloud::begin("PC1.txt", &mut window).unwrap() {
-        Ok((at, RowForm::Paper)) => cloud::read_papers_form("PC1.txt", &mut window, at).unwrap(),
-        Ok((at, RowForm::Table)) => {
-            cloud::read_table("PC1.txt", &mut window, at, labelled).unwrap()
-        }
-        Err(diagnostics) => (CloudFile::default(), diagnostics),
-    }
-}
+use crate::format::{Readers, Role, Source, read_cloud, read_cloud_by_pieces, read_files};
 
 /// What files of points are made of, well and badly.
 const FRAGMENTS: &[&str] = &[
@@ -101,16 +81,13 @@ proptest! {
 
     #[test]
     fn a_text_in_pieces_reads_as_the_whole(text in text(), piece in 1usize..120, labelled: bool) {
-        let whole = read_cloud_with("PC1.txt", text.as_bytes(), labelled);
-        prop_assert_eq!(in_pieces(text.as_bytes(), piece, labelled), whole);
+        let (name, text) = (if labelled { "PC1.xyzc" } else { "PC1.txt" }, text.as_bytes());
+        prop_assert_eq!(read_cloud_by_pieces(name, text, piece), read_cloud(name, text));
     }
 
     #[test]
     fn so_do_bytes_of_any_kind(bytes in prop::collection::vec(any::<u8>(), 0..200), piece in 1usize..50) {
-        // Text of two bytes a character is never read in pieces.
-        prop_assume!(matches!(crate::format::encoding::utf8(&bytes), Cow::Borrowed(_)));
-        let whole = read_cloud_with("PC1.txt", &bytes, false);
-        prop_assert_eq!(in_pieces(&bytes, piece, false), whole);
+        prop_assert_eq!(read_cloud_by_pieces("PC1.txt", &bytes, piece), read_cloud("PC1.txt", &bytes));
     }
 }
 
