@@ -94,7 +94,7 @@ test("clouds of single primitives, as CloudCompare saves them, are segments of t
     "far/Moved/Cylinder_0001.txt": single(2),
   });
   const { reports, err } = scored(root);
-  const found = reports.map((/** @type {any} */ { model, method, mean, typeErrors }) => [model, method, mean.DSC, typeErrors]);
+  const found = reports.map((/** @type {any} */ { model, method, mean, type_errors }) => [model, method, mean.DSC, type_errors]);
   assert.deepEqual(found, [["a", "RANSAC", 1, 0], ["b", "Moved", 1, 1]], err);
   const told = reports.map((/** @type {any} */ { diagnostics }) => diagnostics.filter((/** @type {any} */ { message }) => message.includes("one for each primitive")));
   assert.deepEqual(told.map((/** @type {any[]} */ each) => each.map(({ severity }) => severity)), [["warning"], ["note"]]);

@@ -38,7 +38,7 @@ function longCloud() {
   return lines.join("");
 }
 
-test("a long text is read in pieces, in less than twice the points themselves, and tells the right line", async () => {
+test("a long text is read in pieces, in hardly more memory than its points take, and tells the right line", async () => {
   const { engine, memory } = await loadEngineApart();
   const bytes = new TextEncoder().encode(longCloud());
   const before = memory.buffer.byteLength;
@@ -55,7 +55,8 @@ test("a long text is read in pieces, in less than twice the points themselves, a
   const grown = memory.buffer.byteLength - before;
   const { points, diagnostics } = model.info();
   assert.deepEqual([points, diagnostics.length, diagnostics[0]?.line, diagnostics[0]?.column], [499_999, 1, 400_001, 5]);
-  assert.ok(grown < 2 * BYTES_PER_POINT * points, `${grown} bytes for ${points} points`);
+  // A few pieces of 4 MiB come and go.
+  assert.ok(grown < BYTES_PER_POINT * points + 2 ** 24, `${grown} bytes for ${points} points`);
   assert.ok(most < bytes.length / 2, `${most} bytes at once`);
 });
 
