@@ -1,7 +1,7 @@
 // From a list of files to reports, one model at a time.
 
-import { createHash } from "node:crypto";
 import { fieldReportOf } from "./field-report.mjs";
+import { Hashes } from "./hashing.mjs";
 import { shareOut } from "./jobs.mjs";
 import { unusable } from "./inputs.mjs";
 import { eachModel, isOfTruth, unplacedAmong } from "./models.mjs";
@@ -114,14 +114,15 @@ export async function evaluateEach(engine, files, { report, overrides = {}, self
   /** @type {Evaluated<R>[]} */
   const models = [];
   const version = engine.version();
-  /** By path, of the files that were read. @type {Map<string, string>} */
-  const hashes = new Map();
-  const hashing = files.map((file) => ({ ...file, read: () => hashed(file, hashes) }));
+  const hashes = new Hashes();
+  const hashing = files.map((file) => hashes.heard(file));
   const wanted = self ? isOfTruth : () => true;
   const read = await eachModel(engine, hashing, { wanted, overrides, progress, claim }, (model, inputs, _place, _able, index) => {
     const { reports, diagnostics } = scoreModel(model, { report, self });
-    const known = inputs.filter(({ path }) => hashes.has(path));
-    const listed = known.map(({ path, role, method }) => listedFile({ path, role, method }, hashes));
+    const listed = inputs.flatMap(({ path, role, method }) => {
+      const sha256 = hashes.of(path);
+      return sha256 === undefined ? [] : [listedFile({ path, role, method }, sha256)];
+    });
     const results = reports.map((each) => ({
       ...each,
       engine: version,
@@ -135,21 +136,11 @@ export async function evaluateEach(engine, files, { report, overrides = {}, self
 
 /**
  * @param {import("../engine/engine.js").PlacedFile} file
- * @param {ReadonlyMap<string, string>} hashes
+ * @param {string} sha256
  * @returns {HashedFile}
  */
-function listedFile({ path, role, method }, hashes) {
-  return { path, role, ...(method === undefined ? {} : { method }), sha256: hashes.get(path) ?? null };
-}
-
-/**
- * @param {File} file
- * @param {Map<string, string>} hashes
- */
-function hashed({ path, read }, hashes) {
-  const bytes = read();
-  hashes.set(path, createHash("sha256").update(bytes).digest("hex"));
-  return bytes;
+function listedFile({ path, role, method }, sha256) {
+  return { path, role, ...(method === undefined ? {} : { method }), sha256 };
 }
 
 /**

@@ -12,6 +12,8 @@ import { whyUnread } from "./reasons.mjs";
  * @property {string} path
  * @property {number} size in bytes
  * @property {() => Uint8Array} read gives its content; throws with a reason for the reader
+ * @property {(from: number, to: number) => Uint8Array} [part] gives the bytes between two offsets, where they can be had
+ *   without the others
  */
 
 /** @typedef {import("../engine/engine.js").DiagnosticInfo} Diagnostic */
@@ -82,7 +84,10 @@ function visit(path, listing) {
   if (isZip(path)) {
     visitZip(path, key, about.size, listing);
   } else {
-    listing.files.set(key, { path, size: about.size, read: readable(() => readFileSync(path)) });
+    listing.files.set(key, {
+      ...{ path, size: about.size, read: readable(() => readFileSync(path)) },
+      part: readable((/** @type {number} */ from, /** @type {number} */ to) => readPart(path, from, to)),
+    });
   }
 }
 
@@ -126,12 +131,14 @@ function isFolder(path) {
 
 /**
  * The same with a reason for the reader where it fails.
- * @param {() => Uint8Array} read
+ * @template {unknown[]} A
+ * @param {(...of: A) => Uint8Array} read
+ * @returns {(...of: A) => Uint8Array}
  */
 function readable(read) {
-  return () => {
+  return (...of) => {
     try {
-      return read();
+      return read(...of);
     } catch (error) {
       throw error instanceof Damaged ? error : new Error(whyUnread(error));
     }

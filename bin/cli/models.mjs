@@ -51,7 +51,7 @@ export async function eachModel(engine, files, { wanted = () => true, overrides 
     progress(place);
     const own = placed.filter(wanted).flatMap((file) => {
       const content = byPath.get(file.path);
-      return content ? [{ ...content, ...file }] : [];
+      return content ? [told({ ...content, ...file }, (share) => progress(`${place}, reading ${share} %`))] : [];
     });
     try {
       visitModel(able, name, own, (model) => visit(model, own, place, able, index));
@@ -65,6 +65,27 @@ export async function eachModel(engine, files, { wanted = () => true, overrides 
     }
   }
   return { diagnostics: [...unplaced, ...stops.map(({ diagnostic }) => diagnostic)], unplaced, stops, engine: able };
+}
+
+/** Shorter parts of a file are looked at, longer ones are its pieces. */
+const LOOKED_AT = 2 ** 18;
+
+/**
+ * The same file; where it is read in pieces, it is told how much of it is, in hundredths.
+ * @param {ModelFile} file
+ * @param {(share: number) => void} tell
+ * @returns {ModelFile}
+ */
+function told(file, tell) {
+  const { part, size } = file;
+  if (!part) return file;
+  return {
+    ...file,
+    part: (from, to) => {
+      if (to - from > LOOKED_AT) tell(Math.round((100 * to) / size));
+      return part(from, to);
+    },
+  };
 }
 
 /**

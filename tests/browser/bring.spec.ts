@@ -41,6 +41,34 @@ test("rows, PLY and labels find each other, are scored, and say that their surfa
   expect(table).toContain("0,Plane,196,");
 });
 
+test("a folder of clouds as CloudCompare's RANSAC saves them is the result of a method", async ({ page }) => {
+  await open(page);
+  const single = (face: number) =>
+    ROWS.filter((row) => row.face === face).map(({ point }) => `${point.map((value) => Math.fround(Number(value)).toFixed(8)).join(" ")}\n`).join("");
+  const files = [0, 1, 2].map((face) => ({ path: `RANSAC/Plane_000${face + 1}.txt`, text: single(face) }));
+  await dropFiles(page, "scans", [
+    { path: "cube.csv", text: `x;y;z\n${rows(";")}` },
+    { path: "cube_labels.txt", text: LABELS },
+    ...files,
+    { path: "RANSAC/Leftovers.txt", text: "9 9 9\n" },
+  ]);
+  await expect(row(page, "cube")).toContainText("RANSAC");
+  await expect(row(page, "cube")).toContainText("1.000");
+  // Without a cloud beside them they are one, with its truth.
+  await dropFiles(page, "alone", files);
+  await expect(page.locator(".models > ul li").filter({ hasText: "RANSAC" }).filter({ hasText: "truth only" })).toHaveCount(1);
+});
+
+test("a long cloud is read in pieces and tells the line of what is wrong", async ({ page }) => {
+  await open(page);
+  const lines = Array.from({ length: 450_000 }, (_, at) => `${((at * 0.618034) % 1).toFixed(8)} ${((at * 0.754878) % 1).toFixed(8)} 0.00000000\n`);
+  lines[400_000] = "1.0 x 2.0\n";
+  await dropFiles(page, "long", [{ path: "long.xyz", text: lines.join("") }]);
+  await expect(page.locator(".models > ul li")).toContainText("long");
+  await page.getByRole("tab", { name: /Diagnostics/ }).click();
+  await expect(page.locator(".diagnostics")).toContainText("400001");
+});
+
 test("what is read is listed where data is added", async ({ page }) => {
   await open(page);
   await page.getByRole("button", { name: "Add data", exact: true }).first().click();

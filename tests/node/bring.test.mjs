@@ -77,6 +77,36 @@ test("labels are truth and submission in every form, and surfaces are fitted to 
   assert.deepEqual(notes.map((/** @type {any} */ { severity, found: what }) => [severity, what]), [["note", "3 segments"], ["note", "3 segments"]]);
 });
 
+test("clouds of single primitives, as CloudCompare saves them, are segments of the cloud beside them, or the cloud", (t) => {
+  const single = (/** @type {number} */ face, /** @type {number} */ moved = 0) =>
+    ROWS.filter((row) => row.face === face).map(({ point }) => `${point.map((value) => Math.fround(value + moved).toFixed(8)).join(" ")}\n`).join("");
+  const far = ROWS.map(({ point }) => `${point.map((value) => (value + 412345).toFixed(3)).join(" ")}\n`).join("");
+  const root = folder(t, {
+    "a.xyz": rows(" ", true),
+    "RANSAC/a_PLANE_0001_cloud.txt": single(0),
+    "RANSAC/a_PLANE_0002_cloud.txt": single(1),
+    "RANSAC/a_PLANE_0003_cloud.txt": `${single(2)}9 9 9\n`,
+    "RANSAC/a_Leftovers_cloud.txt": "9 9 9\n",
+    "far/b.xyz": far,
+    "far/b_labels.txt": LABELS,
+    "far/Moved/Plane_0001.txt": single(0),
+    "far/Moved/Plane_0002.txt": single(1),
+    "far/Moved/Cylinder_0001.txt": single(2),
+  });
+  const { reports, err } = scored(root);
+  const found = reports.map((/** @type {any} */ { model, method, mean, type_errors }) => [model, method, mean.DSC, type_errors]);
+  assert.deepEqual(found, [["a", "RANSAC", 1, 0], ["b", "Moved", 1, 1]], err);
+  const told = reports.map((/** @type {any} */ { diagnostics }) => diagnostics.filter((/** @type {any} */ { message }) => message.includes("one for each primitive")));
+  assert.deepEqual(told.map((/** @type {any[]} */ each) => each.map(({ severity }) => severity)), [["warning"], ["note"]]);
+  assert.match(told[0][0].found, /^1 of 589, the first in .*a_PLANE_0003_cloud\.txt$/);
+  assert.match(told[1][0].found, /^by -412345(\.0+\d*)?, /);
+  const alone = folder(t, { "scan/Plane_0001.txt": single(0), "scan/Plane_0002.txt": single(1), "scan/Leftovers.txt": single(2) });
+  const [itself] = scored("--self", alone).reports;
+  assert.deepEqual([itself.model, itself.mean.DSC], ["scan", 1]);
+  const { out } = fit4cad("fit", "--single", "--json", alone);
+  assert.deepEqual(JSON.parse(out)[0].segments.map((/** @type {any} */ { number, points, best }) => [number, points, best.type]), [[1, 196, "Plane"], [2, 196, "Plane"]]);
+});
+
 test("indices that count from 0 are told, and read so where that is said", (t) => {
   const surfaces = [[0, 0, 1], [0, 1, 0], [1, 0, 0]].map((normal, face) => `Primitive${face + 1}:=[Plane, [${normal.join(" ")} 0]];\n`).join("");
   // Mixed, so that what follows a point is on another face.

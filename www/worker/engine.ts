@@ -14,6 +14,7 @@ import type {
   FittedModel,
   ModelFile,
   ModelSource,
+  OnRead,
   OnStage,
   SegmentationScene,
   WrittenFiles,
@@ -43,11 +44,11 @@ const PACE_MS = 80;
 
 let held: { key: string; model: Model } | undefined;
 
-async function read(source: ModelSource): Promise<Model> {
+async function read(source: ModelSource, onRead?: OnRead): Promise<Model> {
   await ready;
   if (held?.key === source.key) return held.model;
   letGo();
-  const model = await wholly(source);
+  const model = await wholly(source, onRead);
   // Another may have been read while the whole engine was fetched.
   letGo();
   held = { key: source.key, model };
@@ -73,11 +74,11 @@ async function readWhole(source: ModelSource): Promise<WholeModel> {
 }
 
 /** Read by the whole engine where the scorer leaves something to it. */
-async function wholly({ name, files }: ModelSource): Promise<Model> {
-  const model = modelOf(Model, name, files);
+async function wholly({ name, files }: ModelSource, onRead?: OnRead): Promise<Model> {
+  const model = modelOf(Model, name, files, onRead);
   if (!model.wantsWhole()) return model;
   model.free();
-  return modelOf((await wholeEngine()).Model, name, files);
+  return modelOf((await wholeEngine()).Model, name, files, onRead);
 }
 
 function segmentation(model: Model, method?: string): SegmentationScene {
@@ -245,8 +246,8 @@ const worker: EngineWorker = {
     }
   },
 
-  async score(source) {
-    const model = await read(source);
+  async score(source, onRead) {
+    const model = await read(source, onRead);
     const info = model.info();
     const reports = info.hasTruth
       ? info.methods.map((method) => ({

@@ -152,6 +152,12 @@ export interface FittedModel {
   readonly seconds: number;
 }
 
+/** Hears how much of a long file is read, 0 to 1. */
+export type OnRead = (path: string, share: number) => void;
+
+/** Files of more bytes than this are read piece by piece, and their progress is told. */
+export const LONG_FILE_BYTES = 2 ** 23;
+
 /** Hears the stage of a fit, and how much of the stage is done, 0 to 1. */
 export type OnStage = (stage: string, fraction: number) => void;
 
@@ -162,7 +168,8 @@ export interface EngineWorker {
   generate(part: string, options: SampleOptions, name: string): Promise<WrittenFiles>;
   /** The primitives of a method, or of the truth, in a form of other programs: a name of the declared exports. */
   export(source: ModelSource, method: string | undefined, form: string): Promise<Blob>;
-  score(source: ModelSource): Promise<ScoredModel>;
+  /** `onRead` is to be wrapped by Comlink's `proxy`. */
+  score(source: ModelSource, onRead?: OnRead): Promise<ScoredModel>;
   open(source: ModelSource, method: string | undefined, rival: string | undefined): Promise<ModelScene>;
   /** Unit normal of every point, without a sign. */
   normals(source: ModelSource): Promise<Float32Array<ArrayBuffer>>;

@@ -66,6 +66,15 @@ pub struct InputFile {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     #[tsify(type = "() => Uint8Array")]
     pub read: Function,
+    /// Gives the bytes from one offset to before another, where the content can be had so: a long text is then never
+    /// held whole. Throws where it cannot be had.
+    #[serde(default = "absent", with = "serde_wasm_bindgen::preserve")]
+    #[tsify(optional, type = "(from: number, to: number) => Uint8Array")]
+    pub part: JsValue,
+}
+
+fn absent() -> JsValue {
+    JsValue::UNDEFINED
 }
 
 impl format::Source for InputFile {
@@ -97,6 +106,21 @@ impl format::Source for InputFile {
             return Err("it is larger than it was said to be".to_owned());
         }
         Ok(Cow::Owned(bytes.to_vec()))
+    }
+
+    fn part(&self, from: u64, to: u64) -> Option<Result<Cow<'_, [u8]>, String>> {
+        let part: &Function = self.part.dyn_ref()?;
+        let asked = || {
+            // Offsets are below 2⁵³: larger files are not read.
+            let bytes = part.call2(&JsValue::NULL, &(from as f64).into(), &(to as f64).into());
+            let bytes: Uint8Array = bytes.map_err(message)?.dyn_into().map_err(message)?;
+            // More than was asked for would be more than there is room for.
+            if u64::from(bytes.length()) > to - from {
+                return Err("it is larger than it was said to be".to_owned());
+            }
+            Ok(Cow::Owned(bytes.to_vec()))
+        };
+        Some(asked())
     }
 }
 

@@ -63,8 +63,17 @@ pub(crate) fn group<'py>(
     ))
 }
 
-/// A file: path, role, method, what its indices count from, bytes of its content, and what gives it.
-type Given = (String, String, Option<String>, Option<u8>, u64, Py<PyAny>);
+/// A file: path, role, method, what its indices count from, bytes of its content, what gives it, and what gives those
+/// between two offsets where they can be had so.
+type Given = (
+    String,
+    String,
+    Option<String>,
+    Option<u8>,
+    u64,
+    Py<PyAny>,
+    Option<Py<PyAny>>,
+);
 
 struct InputFile<'a> {
     path: String,
@@ -73,6 +82,7 @@ struct InputFile<'a> {
     first: Option<u8>,
     size: u64,
     read: Py<PyAny>,
+    part: Option<Py<PyAny>>,
     /// What is no failure of the file: Ctrl-C, above all.
     raised: &'a Mutex<Option<PyErr>>,
 }
@@ -99,17 +109,27 @@ impl format::Source for InputFile<'_> {
     }
 
     fn content(&self) -> Result<Cow<'_, [u8]>, String> {
+        // The file may have grown since its size was taken.
+        self.bytes(limits::MAX_FILE_BYTES, |py| self.read.bind(py).call0())
+    }
+
+    fn part(&self, from: u64, to: u64) -> Option<Result<Cow<'_, [u8]>, String>> {
+        let part = self.part.as_ref()?;
+        Some(self.bytes(to - from, |py| part.bind(py).call1((from, to))))
+    }
+}
+
+impl InputFile<'_> {
+    /// The bytes that a call gives, of which there may be so many.
+    fn bytes(
+        &self,
+        most: u64,
+        call: impl for<'py> FnOnce(Python<'py>) -> PyResult<Bound<'py, PyAny>>,
+    ) -> Result<Cow<'static, [u8]>, String> {
         Python::attach(|py| {
-            let read = || {
-                self.read
-                    .bind(py)
-                    .call0()?
-                    .cast_into::<PyBytes>()
-                    .map_err(PyErr::from)
-            };
+            let read = || call(py)?.cast_into::<PyBytes>().map_err(PyErr::from);
             match read() {
-                // The file may have grown since its size was taken.
-                Ok(bytes) if bytes.as_bytes().len() as u64 > limits::MAX_FILE_BYTES => {
+                Ok(bytes) if bytes.as_bytes().len() as u64 > most => {
                     Err("it is larger than it was said to be".to_owned())
                 }
                 Ok(bytes) => Ok(Cow::Owned(bytes.as_bytes().to_vec())),
@@ -184,7 +204,7 @@ pub(crate) fn read<'py>(
     let raised = Mutex::new(None);
     let files = files
         .into_iter()
-        .map(|(path, role, method, first, size, read)| {
+        .map(|(path, role, method, first, size, read, part)| {
             let role = role_of(&role)?;
             Ok(InputFile {
                 path,
@@ -193,6 +213,7 @@ pub(crate) fn read<'py>(
                 first,
                 size,
                 read,
+                part,
                 raised: &raised,
             })
         });

@@ -101,6 +101,38 @@ def test_points_and_labels_come_back_from_other_programs_files(tmp_path, name):
     assert len(again.truth) == len(model.truth) and None in again.fitted
 
 
+def test_the_documentation_of_read_names_every_kind_of_file():
+    for kind in fit4cad.declared()["fileKinds"]:
+        assert kind["title"] in fit4cad.read.__doc__ and f".{kind['endings'][0]}" in fit4cad.read.__doc__
+
+
+def test_long_texts_are_read_in_pieces(tmp_path, monkeypatch):
+    from fit4cad._files import File
+
+    path = tmp_path / "long.xyz"
+    rows = [f"{at % 1000:.6f} {at // 1000:.6f} {at * 0.001:.6f}\n" for at in range(400_000)]
+    rows[300_000] = "1.0 x 2.0\n"
+    path.write_text("".join(rows))
+    monkeypatch.setattr(File, "read", lambda self: pytest.fail("it is asked for whole"))
+    model = fit4cad.read(path, strict=False)
+    [error] = model.diagnostics
+    assert (len(model), error.line, error.column) == (399_999, 300_001, 5)
+    assert model.points[-1].tolist() == [999, 399, 399.999]
+
+
+def test_clouds_of_single_primitives_are_segments_of_the_cloud_beside_them(tmp_path):
+    model = fit4cad.generate("plate", spacing=0.03)
+    rows = lambda points: "".join(f"{x} {y} {z}\n" for x, y, z in points.tolist())
+    (tmp_path / "plate.xyz").write_text(rows(model.points))
+    (tmp_path / "RANSAC").mkdir()
+    for at, each in enumerate(model.truth.primitives, 1):
+        name = f"{each.type}_{at:04}.txt"
+        (tmp_path / "RANSAC" / name).write_text(rows(np.float32(model.points[each.points])))
+    found = fit4cad.read(tmp_path).submissions["RANSAC"].primitives
+    order = sorted(model.truth.primitives, key=lambda each: each.type)
+    assert sorted(each.points.tolist() for each in found) == sorted(each.points.tolist() for each in order)
+
+
 def test_step_goes_out_and_comes_back(tmp_path):
     model = fit4cad.generate("bracket", spacing=0.02)
     fit4cad.write(model, tmp_path / "part.step")

@@ -54,7 +54,7 @@ export async function load() {
     const file = () => {
       const role = bytes.one(ROLES);
       const text = bytes.below(3) === 0 ? bytes.rest() : encoder.encode(texts[/** @type {"cloud"} */ (role)] ?? bytes.text());
-      return { path: bytes.text(), role: any(() => role), ...(bytes.below(2) === 0 && { method: any(() => bytes.text()) }), size: any(() => text.length), read: any(() => () => text) };
+      return { path: bytes.text(), role: any(() => role), ...(bytes.below(2) === 0 && { method: any(() => bytes.text()) }), size: any(() => text.length), read: any(() => () => text), ...(bytes.below(2) === 0 && { part: any(() => (/** @type {number} */ from, /** @type {number} */ to) => text.subarray(from, to)) }) };
     };
     const block = () => ({
       operation: any(() => bytes.one(["add", "cut"])),

@@ -9,7 +9,7 @@ import { taking } from "../intake/intake";
 import { importing } from "../intake/step";
 import { rebuilding } from "../sharing/rebuild";
 import { dismiss, notice } from "../state/notices";
-import { cancelScoring, progress, type Progress } from "../state/scoring";
+import { cancelScoring, progress, reading, type Progress } from "../state/scoring";
 import { duration, integer } from "../ui/format";
 import { Icon } from "../ui/icon";
 
@@ -72,6 +72,11 @@ function Work(): JSX.Element | null {
   return null;
 }
 
+/** A file without its folders. */
+function nameOf(path: string): string {
+  return path.slice(path.lastIndexOf("/") + 1);
+}
+
 function Batch({ done, total, since }: Progress): JSX.Element {
   const left = done > 0 ? ((performance.now() - since) / done) * (total - done) : undefined;
   // Every figure read out would drown everything else.
@@ -85,6 +90,7 @@ function Batch({ done, total, since }: Progress): JSX.Element {
       <label for="scoring">
         Scoring {integer(done)} of {integer(total)}
         {left !== undefined && `, ${duration(left)} left`}
+        {reading.value && `, reading ${nameOf(reading.value.path)}, ${Math.round(100 * reading.value.share)} %`}
       </label>
       <span class="visually-hidden" role="status">
         Scoring, {25 * quarters} % done

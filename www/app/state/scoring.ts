@@ -1,6 +1,8 @@
 // Scoring many models: spread over the pool, with progress, and stoppable at any moment.
 
+import * as Comlink from "comlink";
 import { batch, effect, signal, untracked } from "@preact/signals";
+import { LONG_FILE_BYTES } from "../../worker/protocol";
 import { engine } from "../engine/client";
 import { paced } from "../engine/pace";
 import { selectedModel } from "./selection";
@@ -15,6 +17,9 @@ export interface Progress {
 
 /** The batch under way, if there is one. */
 export const progress = signal<Progress | undefined>(undefined);
+
+/** The long file that is being read, and how much of it is, 0 to 1. */
+export const reading = signal<{ readonly path: string; readonly share: number } | undefined>(undefined);
 
 let controller = new AbortController();
 /** Contents that are queued, being scored, or scored and not shown yet, by their keys. */
@@ -61,14 +66,21 @@ async function score({ id, source }: ModelEntry, signal: AbortSignal): Promise<v
   const urgency = id === selectedModel.peek() ? "foreground" : "background";
   let status: Status;
   try {
-    const result = await engine.run((api) => api.score(source), { signal, urgency, name: source.key });
+    // Each word of progress takes a channel of its own: of short files there is none.
+    const onRead = source.files.some(({ data }) => data.size > LONG_FILE_BYTES) ? Comlink.proxy(tellReading) : undefined;
+    const result = await engine.run((api) => api.score(source, onRead), { signal, urgency, name: source.key });
     status = { kind: "scored", result };
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
     status = signal.aborted ? { kind: "stopped" } : { kind: "failed", message };
   }
+  reading.value = undefined;
   arrived.push([source.key, status]);
   show();
+}
+
+function tellReading(path: string, share: number): void {
+  reading.value = { path, share };
 }
 
 const show = paced(() => {

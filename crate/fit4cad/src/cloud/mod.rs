@@ -79,6 +79,11 @@ impl Cloud {
         &self.points
     }
 
+    /// The points alone.
+    pub(crate) fn into_points(self) -> Vec<Point> {
+        self.points
+    }
+
     /// Number of points.
     pub fn len(&self) -> usize {
         self.points.len()

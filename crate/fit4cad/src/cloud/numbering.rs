@@ -38,6 +38,11 @@ impl Numbering {
         Self { rows, broken }
     }
 
+    /// Rows without a point, counted from 0, ascending.
+    pub(crate) fn broken(&self) -> &[u32] {
+        &self.broken
+    }
+
     /// Number of rows, broken ones included: the largest point number.
     pub fn rows(&self) -> usize {
         self.rows

@@ -36,20 +36,35 @@ pub(super) struct Findings<'a> {
     lines: Lines<'a>,
     /// Number of the primitive whose entry is being read.
     primitive: Option<u32>,
+    kept: Kept,
+}
+
+/// What was found so far, between two pieces of a file.
+#[derive(Debug, Default)]
+pub(super) struct Kept {
     diagnostics: Vec<Diagnostic>,
     tallies: Vec<Tally>,
 }
 
 impl<'a> Findings<'a> {
     pub(super) fn new(file: &'a str, bytes: &'a [u8]) -> Self {
+        Self::resume(file, bytes, 0, Kept::default())
+    }
+
+    /// Goes on with a piece of the file before which there are so many lines.
+    pub(super) fn resume(file: &'a str, bytes: &'a [u8], lines: u32, kept: Kept) -> Self {
         Self {
             file,
             bytes,
-            lines: Lines::new(bytes),
+            lines: Lines::after(lines, bytes),
             primitive: None,
-            diagnostics: Vec::new(),
-            tallies: Vec::new(),
+            kept,
         }
+    }
+
+    /// What was found so far.
+    pub(super) fn pause(self) -> Kept {
+        self.kept
     }
 
     /// From here on findings are about that primitive, or about none.
@@ -75,8 +90,9 @@ impl<'a> Findings<'a> {
     /// Adds a finding about a row or line, of which there may be as many as rows: the first is shown,
     /// the others are counted ([`Findings::finish_rows`]).
     pub(super) fn add_row(&mut self, kind: &Kind, offset: usize, found: impl FnOnce() -> String) {
-        let last_shown = self.diagnostics.len();
+        let last_shown = self.kept.diagnostics.len();
         if let Some(tally) = self
+            .kept
             .tallies
             .iter_mut()
             .find(|tally| tally.message == kind.message)
@@ -84,7 +100,7 @@ impl<'a> Findings<'a> {
             tally.count += 1;
             return;
         }
-        self.tallies.push(Tally {
+        self.kept.tallies.push(Tally {
             message: kind.message,
             count: 1,
             last_shown,
@@ -129,7 +145,7 @@ impl<'a> Findings<'a> {
     }
 
     fn push(&mut self, kind: &Kind, position: Option<Position>, found: String, expected: String) {
-        self.diagnostics.push(Diagnostic {
+        self.kept.diagnostics.push(Diagnostic {
             severity: kind.severity,
             subject: kind.subject,
             primitive: self.primitive,
@@ -144,8 +160,9 @@ impl<'a> Findings<'a> {
 
     /// Counts an occurrence; whether it is still to be shown.
     fn count(&mut self, kind: &Kind) -> bool {
-        let next = self.diagnostics.len();
+        let next = self.kept.diagnostics.len();
         match self
+            .kept
             .tallies
             .iter_mut()
             .find(|tally| tally.message == kind.message)
@@ -159,7 +176,7 @@ impl<'a> Findings<'a> {
                 shown
             }
             None => {
-                self.tallies.push(Tally {
+                self.kept.tallies.push(Tally {
                     message: kind.message,
                     count: 1,
                     last_shown: next,
@@ -177,9 +194,9 @@ impl<'a> Findings<'a> {
 
     /// As [`Findings::finish`]; a finding about rows says how many of all it is about.
     pub(super) fn finish_rows(mut self, rows: usize) -> Vec<Diagnostic> {
-        for tally in &self.tallies {
+        for tally in &self.kept.tallies {
             if tally.of_rows {
-                let first = self.diagnostics.get_mut(tally.last_shown);
+                let first = self.kept.diagnostics.get_mut(tally.last_shown);
                 if let (2.., Some(first)) = (tally.count, first) {
                     let of = if rows > 0 {
                         format!("{} of {rows} rows", tally.count)
@@ -191,11 +208,11 @@ impl<'a> Findings<'a> {
                 continue;
             }
             let more = tally.count.saturating_sub(MAX_SIMILAR_DIAGNOSTICS);
-            if let (1.., Some(last)) = (more, self.diagnostics.get_mut(tally.last_shown)) {
+            if let (1.., Some(last)) = (more, self.kept.diagnostics.get_mut(tally.last_shown)) {
                 last.message = format!("{}; {more} more like this in the file", last.message);
             }
         }
-        self.diagnostics
+        self.kept.diagnostics
     }
 }
 

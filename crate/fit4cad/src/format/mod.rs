@@ -2,6 +2,7 @@
 
 mod assemble;
 mod cloud;
+mod contents;
 mod counting;
 mod encoding;
 mod entry;
@@ -13,27 +14,31 @@ mod labels;
 pub mod limits;
 mod number;
 mod paths;
+mod pieces;
 mod primitives;
 mod read;
 mod readers;
 mod scan;
 mod segments;
 mod shrec;
+mod source;
 mod surfaces;
+mod window;
 mod write;
 
 #[cfg(test)]
 mod tests;
 
 pub use assemble::{Named, assemble};
-pub use cloud::{CloudFile, read_cloud};
+pub use cloud::{CloudFile, read_cloud, read_cloud_by_pieces};
 pub use files::{FILE_KINDS, FileKind, Holds};
 pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
 pub use labels::{Segment, by_label};
 pub use paths::{Layout, file_name, path_of};
 pub use primitives::{PointList, read_primitives};
-pub use read::{Reading, Role, Source, SourceFile, read_files, read_model};
+pub use read::{Reading, read_files, read_model};
 pub use readers::{Readers, Taken};
 pub use shrec::{read_answer, write_answer};
+pub use source::{Role, Source, SourceFile};
 pub use surfaces::{SurfaceEntry, SurfaceFile, read_surfaces};
 pub use write::{write_cloud, write_primitives, write_surfaces};

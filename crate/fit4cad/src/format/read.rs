@@ -1,125 +1,21 @@
 //! Reading all files of one model.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::assemble::{Named, assemble};
-use super::cloud::{CloudFile, read_own};
+use super::contents::{Reader, whole_file};
 use super::counting;
 use super::foreign::Purpose;
 use super::labels::Segment;
-use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
+use super::pieces::{self, Piece};
 use super::primitives::{PointList, read_counted};
 use super::readers::{Readers, Taken};
+use super::source::{Role, Source};
 use super::surfaces::{SurfaceFile, read_surfaces};
 use crate::cloud::Cloud;
-use crate::diagnostics::{Diagnostic, Severity, Subject};
+use crate::diagnostics::Diagnostic;
 use crate::model::{Model, Segmentation};
 use crate::surface::Form;
-
-/// What a file holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Role {
-    /// `PCi.txt`: the points.
-    Cloud,
-    /// `PCi_primitives.txt`: which points belong together.
-    Primitives,
-    /// `PCi_parametric.txt`: their surfaces in parametric form.
-    Parametric,
-    /// `PCi_implicit.txt`: their surfaces in implicit form.
-    Implicit,
-}
-
-impl Role {
-    /// All four.
-    pub const ALL: [Self; 4] = [
-        Self::Cloud,
-        Self::Primitives,
-        Self::Parametric,
-        Self::Implicit,
-    ];
-
-    /// The word for it in the names of files and folders; files of clouds go without.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Cloud => "cloud",
-            Self::Primitives => "primitives",
-            Self::Parametric => "parametric",
-            Self::Implicit => "implicit",
-        }
-    }
-
-    /// What such a file holds.
-    pub const fn meaning(self) -> &'static str {
-        match self {
-            Self::Cloud => "the cloud",
-            Self::Primitives => "which points make up each primitive",
-            Self::Parametric => "each primitive's surface, parametric form",
-            Self::Implicit => "each primitive's surface, implicit form",
-        }
-    }
-}
-
-/// One file of a model. Its content is asked for when its turn comes, and let go afterwards.
-pub trait Source {
-    /// Path, for the diagnostics.
-    fn path(&self) -> &str;
-
-    /// What it holds.
-    fn role(&self) -> Role;
-
-    /// The method whose result it is; `None` for the cloud and the ground truth.
-    fn method(&self) -> Option<&str>;
-
-    /// What the indices of points in it count from: 1, as the benchmark's do, or 0.
-    fn first(&self) -> u8 {
-        1
-    }
-
-    /// Bytes of its content; known before it is asked for, so that too much never is.
-    fn size(&self) -> u64;
-
-    /// Its content.
-    ///
-    /// # Errors
-    /// Why it cannot be had, in words for the reader.
-    fn content(&self) -> Result<Cow<'_, [u8]>, String>;
-}
-
-/// A file whose content is in memory.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SourceFile<'a> {
-    /// Path, for the diagnostics.
-    pub path: &'a str,
-    /// What it holds.
-    pub role: Role,
-    /// The method whose result it is; `None` for the cloud and the ground truth.
-    pub method: Option<&'a str>,
-    /// The content.
-    pub bytes: &'a [u8],
-}
-
-impl Source for SourceFile<'_> {
-    fn path(&self) -> &str {
-        self.path
-    }
-
-    fn role(&self) -> Role {
-        self.role
-    }
-
-    fn method(&self) -> Option<&str> {
-        self.method
-    }
-
-    fn size(&self) -> u64 {
-        self.bytes.len() as u64
-    }
-
-    fn content(&self) -> Result<Cow<'_, [u8]>, String> {
-        Ok(Cow::Borrowed(self.bytes))
-    }
-}
 
 /// What reading the files of a model gave.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -165,8 +61,9 @@ pub fn read_model<S: Source>(name: &str, files: &[S]) -> (Model, Vec<Diagnostic>
 /// or groups. Files that are not the benchmark's own are left to `readers`.
 ///
 /// Whatever is wrong is among the diagnostics and the rest is used; without points there is
-/// nothing to refer to, and no other file is read. Nor is one larger than [`MAX_FILE_BYTES`], or
-/// with which the model came to more than [`MAX_MODEL_BYTES`].
+/// nothing to refer to, and no other file is read. Nor is one larger than
+/// [`MAX_FILE_BYTES`](super::limits::MAX_FILE_BYTES), or with which the model came to more than
+/// [`MAX_MODEL_BYTES`](super::limits::MAX_MODEL_BYTES).
 pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Reading {
     let mut reader = Reader::default();
     let mut model = Model {
@@ -185,12 +82,19 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
         ));
         return reader.finish(model);
     };
+    let mut of_pieces = vec![cloud];
     for other in clouds {
-        reader.diagnostics.push(second(other.path(), cloud.path()));
+        if is_piece(cloud) && is_piece(other) {
+            of_pieces.push(other);
+        } else {
+            reader.diagnostics.push(second(other.path(), cloud.path()));
+        }
     }
-    let content = reader.read(cloud, |path, bytes| cloud_of(path, bytes, readers));
-    let (file, unread) = content.unwrap_or_default();
-    reader.unread |= unread;
+    let file = if of_pieces.len() == 1 {
+        reader.cloud(cloud, readers)
+    } else {
+        reader.union(&of_pieces, readers)
+    };
     model.cloud = file.cloud;
 
     // Truth (no method) sorts first.
@@ -204,6 +108,11 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
             Role::Implicit => &mut of_method.implicit,
         };
         match slot {
+            Some(first)
+                if file.role() == Role::Primitives && is_piece(*first) && is_piece(file) =>
+            {
+                of_method.pieces.push(file);
+            }
             Some(first) => reader.diagnostics.push(second(file.path(), first.path())),
             None => *slot = Some(file),
         }
@@ -230,6 +139,22 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
     reader.finish(model)
 }
 
+impl Reader {
+    fn finish(self, model: Model) -> Reading {
+        Reading {
+            model,
+            diagnostics: self.diagnostics,
+            bare: self.bare,
+            unread: self.unread,
+        }
+    }
+}
+
+/// Whether a file is named as one that holds the points of a single primitive.
+fn is_piece<S: Source>(file: &S) -> bool {
+    pieces::of_path(file.path()).is_some()
+}
+
 /// What a file of segments holds.
 enum Found {
     /// Lists in the benchmark's form.
@@ -242,107 +167,11 @@ enum Found {
     Later,
 }
 
-/// The cloud of a file, and whether it was left for later.
-fn cloud_of(path: &str, bytes: &[u8], readers: &Readers) -> ((CloudFile, bool), Vec<Diagnostic>) {
-    match (readers.cloud)(path, bytes) {
-        Taken::Own => {
-            let (file, findings) = read_own(path, bytes);
-            ((file, false), findings)
-        }
-        Taken::Later => ((CloudFile::default(), true), Vec::new()),
-        Taken::Read(file, findings) => ((file, false), findings),
-    }
-}
-
-/// Reads files of one model while they are within the limits, and keeps what is wrong.
-#[derive(Default)]
-struct Reader {
-    bytes: u64,
-    diagnostics: Vec<Diagnostic>,
-    bare: Vec<Option<String>>,
-    unread: bool,
-}
-
-impl Reader {
-    fn finish(self, model: Model) -> Reading {
-        Reading {
-            model,
-            diagnostics: self.diagnostics,
-            bare: self.bare,
-            unread: self.unread,
-        }
-    }
-
-    /// What `parse` makes of a file's path and content, where it can be had.
-    fn read<'s, S: Source, T>(
-        &mut self,
-        file: &'s S,
-        parse: impl FnOnce(&'s str, &[u8]) -> (T, Vec<Diagnostic>),
-    ) -> Option<T> {
-        let refused = match self.admit(file.size()) {
-            Err((found, expected)) => Refusal::TooLarge(found, expected),
-            Ok(()) => match file.content() {
-                Err(reason) => Refusal::Unreadable(reason),
-                Ok(bytes) => {
-                    let (content, findings) = parse(file.path(), &bytes);
-                    self.diagnostics.extend(findings);
-                    return Some(content);
-                }
-            },
-        };
-        self.diagnostics.push(refused.told_of(file.path()));
-        None
-    }
-
-    /// Counts a file of so many bytes in; says what is too much, and what would not be.
-    fn admit(&mut self, size: u64) -> Result<(), (String, String)> {
-        let mebibytes = |bytes: u64| format!("{} MiB", bytes.div_ceil(1 << 20));
-        if size > MAX_FILE_BYTES {
-            let most = mebibytes(MAX_FILE_BYTES);
-            return Err((mebibytes(size), format!("at most {most}")));
-        }
-        let total = self.bytes + size;
-        if total > MAX_MODEL_BYTES {
-            let most = mebibytes(MAX_MODEL_BYTES);
-            return Err((
-                format!("{} with the model's files before it", mebibytes(total)),
-                format!("at most {most} in all files of a model"),
-            ));
-        }
-        self.bytes = total;
-        Ok(())
-    }
-}
-
-/// Why a file is not read.
-enum Refusal {
-    /// What was found and what would be read.
-    TooLarge(String, String),
-    /// Why its content could not be had.
-    Unreadable(String),
-}
-
-impl Refusal {
-    fn told_of(&self, path: &str) -> Diagnostic {
-        match self {
-            Self::TooLarge(found, expected) => whole_file(
-                path,
-                "The file is too large and was not read",
-                found,
-                expected,
-                "Thin the cloud or split the file",
-            ),
-            Self::Unreadable(reason) => {
-                let message = format!("The file could not be read: {reason}");
-                whole_file(path, &message, "", "", "")
-            }
-        }
-    }
-}
-
 /// The files of one method, or of the truth.
 struct Files<'a, S> {
     primitives: Option<&'a S>,
+    /// Further files that hold the points of one primitive each, as the first does.
+    pieces: Vec<&'a S>,
     parametric: Option<&'a S>,
     implicit: Option<&'a S>,
     /// The segments that the cloud's file holds, and its path.
@@ -354,6 +183,7 @@ impl<S> Default for Files<'_, S> {
     fn default() -> Self {
         Self {
             primitives: None,
+            pieces: Vec::new(),
             parametric: None,
             implicit: None,
             own: None,
@@ -384,6 +214,10 @@ impl<S: Source> Files<'_, S> {
             }
             return None;
         };
+        if is_piece(file) {
+            let found = self.read_pieces(file, cloud, readers, reader)?;
+            return Some(self.join(file.path(), found, method, reader));
+        }
         let purpose = match method {
             None => Purpose::Truth,
             Some(_) => Purpose::Submission,
@@ -416,6 +250,36 @@ impl<S: Source> Files<'_, S> {
                 Some(segmentation)
             }
         }
+    }
+
+    /// The segments of files that hold the points of one primitive each.
+    fn read_pieces(
+        &self,
+        first: &S,
+        cloud: &Cloud,
+        readers: &Readers,
+        reader: &mut Reader,
+    ) -> Option<Found> {
+        let Some(onto) = readers.pieces else {
+            reader.unread = true;
+            return None;
+        };
+        let mut found = Vec::new();
+        for file in std::iter::once(first).chain(self.pieces.iter().copied()) {
+            // What was left over belongs to none.
+            let Some(kind) = pieces::of_path(file.path()).and_then(|name| name.kind) else {
+                continue;
+            };
+            let points = reader.piece(file, readers).into_points();
+            found.push(Piece {
+                path: file.path(),
+                kind,
+                points,
+            });
+        }
+        let (segments, findings) = onto(&found, cloud);
+        reader.diagnostics.extend(findings);
+        segments.map(Found::Segments)
     }
 
     /// What was found in a file with the surfaces that go with it.
@@ -477,18 +341,4 @@ fn second(path: &str, first: &str) -> Diagnostic {
         "one file of a kind for each method",
         &format!("{first} is used; give them different methods"),
     )
-}
-
-fn whole_file(file: &str, message: &str, found: &str, expected: &str, hint: &str) -> Diagnostic {
-    Diagnostic {
-        severity: Severity::Error,
-        subject: Subject::File,
-        primitive: None,
-        file: file.to_owned(),
-        position: None,
-        message: message.to_owned(),
-        found: found.to_owned(),
-        expected: expected.to_owned(),
-        hint: hint.to_owned(),
-    }
 }

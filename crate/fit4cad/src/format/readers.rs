@@ -4,9 +4,13 @@
 
 use super::cloud::{self, CloudFile, read_cloud};
 use super::findings::{Findings, Kind};
-use super::foreign::{Content, Purpose, is_foreign, read_foreign};
+use super::foreign::{
+    Content, Purpose, is_foreign, read_by_pieces as read_foreign_by_pieces, read_foreign,
+};
 use super::labels::Segment;
+use super::pieces::{self, Piece};
 use super::segments::{is_of_labels, read_segments};
+use super::window::Window;
 use crate::cloud::Cloud;
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 
@@ -26,9 +30,27 @@ pub enum Taken<T> {
 pub struct Readers {
     /// Of clouds, by path and content.
     pub(super) cloud: fn(&str, &[u8]) -> Taken<CloudFile>,
+    /// Of rows of any kind and of other programs' clouds, piece by piece; none where they are left for later.
+    pub(super) by_pieces: Option<ByPieces>,
     /// Of segments of a cloud; none where the file cannot be used.
     pub(super) segments: ReadSegments,
+    /// Of segments that come as a cloud each; none where they are left for later.
+    pub(super) pieces: Option<ReadPieces>,
 }
+
+/// Readers of long files.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ByPieces {
+    /// Of rows from an offset on; whether their last column is of labels.
+    pub(super) table: fn(&str, &mut Window<'_>, usize, bool) -> Result<Found, String>,
+    /// Of other programs' files; none where they are read whole.
+    pub(super) foreign: fn(&str, &mut Window<'_>) -> Result<Option<Found>, String>,
+}
+
+/// A cloud, and what is wrong with it.
+type Found = (CloudFile, Vec<Diagnostic>);
+
+type ReadPieces = fn(&[Piece<'_>], &Cloud) -> (Option<Vec<Segment>>, Vec<Diagnostic>);
 
 type ReadSegments = fn(&str, &[u8], &Cloud, Purpose) -> Taken<Option<Vec<Segment>>>;
 
@@ -36,13 +58,20 @@ impl Readers {
     /// Those of every file.
     pub const ALL: Self = Self {
         cloud: read_any_cloud,
+        by_pieces: Some(ByPieces {
+            table: cloud::read_table,
+            foreign: read_foreign_by_pieces,
+        }),
         segments: read_any_segments,
+        pieces: Some(pieces::onto),
     };
 
     /// Those that leave all but the benchmark's own files for later.
     pub const OWN: Self = Self {
         cloud: |file, bytes| taken(!is_foreign(file, bytes) && cloud::is_own(file, bytes)),
+        by_pieces: None,
         segments: |file, bytes, _, _| taken(!is_foreign(file, bytes) && !is_of_labels(bytes)),
+        pieces: None,
     };
 }
 

@@ -98,6 +98,8 @@ pub(super) fn is_separator(byte: u8) -> bool {
 #[derive(Debug)]
 pub(super) struct Lines<'a> {
     bytes: &'a [u8],
+    /// Lines before these bytes.
+    before: u32,
     /// Up to where lines have been counted, the line there and where it begins.
     counted: usize,
     line: u32,
@@ -105,11 +107,18 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(bytes: &'a [u8]) -> Self {
+    #[cfg(test)]
+    fn new(bytes: &'a [u8]) -> Self {
+        Self::after(0, bytes)
+    }
+
+    /// Of bytes before which there are so many lines.
+    pub(super) fn after(before: u32, bytes: &'a [u8]) -> Self {
         Self {
             bytes,
+            before,
             counted: 0,
-            line: 1,
+            line: before.saturating_add(1),
             line_start: 0,
         }
     }
@@ -118,7 +127,7 @@ impl<'a> Lines<'a> {
     pub(super) fn position(&mut self, offset: usize) -> Position {
         let offset = offset.min(self.bytes.len());
         if offset < self.line_start {
-            *self = Self::new(self.bytes);
+            *self = Self::after(self.before, self.bytes);
         }
         while self.counted < offset {
             let byte = self.bytes.get(self.counted).copied();

@@ -257,7 +257,7 @@ fn moved(segments: &[Segment], places: &[Option<u32>]) -> Vec<Segment> {
 
 /// How far apart, in magnitudes of the largest coordinate, the same point may be in two files: a few
 /// times what single precision leaves of it.
-const SINGLE: f64 = 1e-6;
+pub(super) const SINGLE: f64 = 1e-6;
 
 /// For each point of one cloud its index in another, and how many have none; `None` where that is so
 /// of more than half.

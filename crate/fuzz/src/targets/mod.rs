@@ -25,6 +25,7 @@ fn none() -> Vec<Vec<u8>> {
 /// Every target of a normal run.
 pub static TARGETS: &[Target] = &[
     text::CLOUD,
+    text::PIECES,
     text::PRIMITIVES,
     text::PARAMETRIC,
     text::IMPLICIT,

@@ -45,6 +45,10 @@ const WORDS: &[&str] = &[
     "4294967296",
     "99999999999999999999",
     "C:",
+    "Plane_0001",
+    "PC1_CYLINDER_0002_cloud",
+    "Leftovers",
+    ".ply",
     "//",
 ];
 
@@ -78,6 +82,7 @@ pub const GROUP: Target = Target {
             "\0PC1.txt\nPC1_primitives.txt\nPC1_parametric.txt\nPC1_implicit.txt\nHT/PC1_primitives.txt",
             "\0a/pointCloud/PC1.txt\na\\pointCloud_primitives_HT/PC1_primitives.txt\na/pointCloud_primitives/PC1_primitives.txt",
             "\0PC10.txt\nPC10_implicit.txt\n__MACOSX/x\nb/PC1.txt\nc/PC1.txt\nc/pointCloud_/PC2-HT-primitives.TXT\n.DS_Store",
+            "\0a/Plane_0001.txt\na/Leftovers.txt\na/Cone_0001.ply\nb/PC1.txt\nb/PC1/Plane_0001.txt\nb/HT/PC1_SPHERE_0001_cloud.txt",
             "\u{1}PC1.txt\0\u{1}\u{1}M\0\u{1}HT\0PC1.txt\nPC2.txt",
         ];
         lists.map(|list| list.as_bytes().to_vec()).to_vec()

@@ -4,8 +4,8 @@ use fit4cad::cloud::{LARGEST, Numbering};
 use fit4cad::diagnostics::Diagnostic;
 use fit4cad::format::limits::MAX_SIMILAR_DIAGNOSTICS;
 use fit4cad::format::{
-    Role, SourceFile, SurfaceFile, read_cloud, read_model, read_primitives, read_surfaces,
-    write_cloud, write_primitives, write_surfaces,
+    Role, SourceFile, SurfaceFile, read_cloud, read_cloud_by_pieces, read_model, read_primitives,
+    read_surfaces, write_cloud, write_primitives, write_surfaces,
 };
 use fit4cad::model::{Model, Segmentation};
 use fit4cad::sample::blocks::Operation;
@@ -86,6 +86,10 @@ pub const CLOUD: Target = Target {
     run: |input| {
         let (file, found) = read_cloud("PC1.txt", input);
         check_findings(&found);
+        let piece = 1 + input.len() % 61;
+        let (pieced, found_in_pieces) = read_cloud_by_pieces("PC1.txt", input, piece);
+        assert_eq!(pieced, file, "by pieces of {piece}");
+        assert_eq!(found_in_pieces, found, "by pieces of {piece}");
         check_points(&file.cloud);
         for segment in file.segments.iter().flatten() {
             check_list(&segment.points, file.cloud.len());
@@ -107,6 +111,64 @@ pub const CLOUD: Target = Target {
         seeds.extend(forms.map(|form| form.as_bytes().to_vec()));
         seeds
     },
+    ..READER
+};
+
+/// Clouds of single primitives, as segments of another cloud and as one.
+pub const PIECES: Target = Target {
+    name: "pieces",
+    run: |input| {
+        let mut parts = input.split(|&byte| byte == BETWEEN);
+        let mut next = || parts.next().unwrap_or_default();
+        let cloud = next();
+        let file = |path, role, bytes| SourceFile {
+            path,
+            role,
+            method: None,
+            bytes,
+        };
+        let [first, second] = [next(), next()];
+        let beside = [
+            file("PC1.txt", Role::Cloud, cloud),
+            file("Plane_0001.txt", Role::Primitives, first),
+            file("Leftovers.txt", Role::Primitives, cloud),
+            file("Cone_0001.txt", Role::Primitives, second),
+        ];
+        let alone = [
+            file("Plane_0001.txt", Role::Cloud, first),
+            file("Leftovers.txt", Role::Cloud, cloud),
+            file("Cone_0001.txt", Role::Cloud, second),
+        ];
+        for files in [&beside[..], &alone] {
+            let (model, found) = read_model("PC1", files);
+            check_findings(&found);
+            check_points(&model.cloud);
+            for primitive in model.truth.iter().flat_map(|truth| &truth.primitives) {
+                check_list(&primitive.points, model.cloud.len());
+            }
+        }
+    },
+    seeds: || {
+        // A face and a part of it, where it is and far out.
+        let rows = |from: usize, to: usize, x: f64| {
+            let row = |i: usize| format!("{} {} {}\n", x + (i * i % 37) as f64, i % 7, i / 7);
+            (from..to).map(row).collect::<String>().into_bytes()
+        };
+        let seed = |x: f64| {
+            let between = &[BETWEEN][..];
+            [
+                &rows(0, 40, x),
+                between,
+                &rows(0, 20, 0.0),
+                between,
+                &rows(20, 39, 0.0),
+            ]
+            .concat()
+        };
+        vec![seed(0.0), seed(4e5), seed(-1e30)]
+    },
+    floor: MIB,
+    quick: 4_000,
     ..READER
 };
 

@@ -48,7 +48,12 @@ def group(
     overrides: Mapping[str, tuple[Optional[str], Optional[str], Optional[str], Optional[int]]],
 ) -> dict[str, Any]: ...
 def read(
-    name: str, files: Sequence[tuple[str, str, Optional[str], Optional[int], int, Callable[[], bytes]]]
+    name: str,
+    files: Sequence[
+        tuple[
+            str, str, Optional[str], Optional[int], int, Callable[[], bytes], Optional[Callable[[int, int], bytes]]
+        ]
+    ],
 ) -> dict[str, Any]: ...
 def write(cloud: Cloud, segmentation: Optional[Segmentation]) -> dict[str, str]: ...
 def path_of(layout: str, model: str, role: str, method: Optional[str] = None) -> str: ...

@@ -71,6 +71,52 @@ class File:
             raise OSError(0, f"the zip is damaged: {error}") from error
 
 
+    def part(self, start: int, end: int) -> bytes:
+        """The bytes between two offsets, of a file that is not in a zip. Raises ``OSError`` as :meth:`read`."""
+        with open(self.path, "rb") as stream:
+            stream.seek(start)
+            return stream.read(end - start)
+
+
+#: Bytes read at a time of what nobody has asked for.
+_PIECE = 1 << 22
+
+#: Gets the path and the content of each file that is read, piece by piece from its beginning.
+Hear = Callable[[str, bytes], None]
+
+
+class _Heard:
+    """A file that is heard while it is read, whole or in pieces."""
+
+    def __init__(self, file: File, hear: Hear) -> None:
+        self._file, self._hear = file, hear
+        self._end: Optional[int] = None
+        """Up to where it was heard; ``None`` before it is read in pieces."""
+
+    def read(self) -> bytes:
+        content = self._file.read()
+        self._hear(self._file.path, content[self._end or 0 :])
+        self._end = None
+        return content
+
+    def part(self, start: int, end: int) -> bytes:
+        content = self._file.part(start, end)
+        heard = self._end or 0
+        self._end = heard
+        if start <= heard < start + len(content):
+            self._hear(self._file.path, content[heard - start :])
+            self._end = start + len(content)
+        return content
+
+    def finish(self) -> None:
+        """Has the rest heard that was not needed."""
+        while self._end is not None and self._end < self._file.size:
+            before = self._end
+            self.part(before, min(self._file.size, before + _PIECE))
+            if self._end == before:
+                return
+
+
 def unusable(file: str, message: str, hint: str = "", severity: str = "error") -> Diagnostic:
     """A finding about a whole file."""
     return Diagnostic(severity, file, message, hint=hint)
@@ -190,28 +236,25 @@ class Group:
     def read(
         self,
         wanted: Callable[[Placed], bool] = lambda _: True,
-        hear: Callable[[str, bytes], None] = lambda path, content: None,
+        hear: Optional[Hear] = None,
         **options: Any,
     ) -> Model:
         """Reads the model; what is wrong with it is among its diagnostics. ``hear`` gets the path and content of
-        each file that is read. The options are those of an import."""
-
-        def heard(file: File) -> Callable[[], bytes]:
-            def read() -> bytes:
-                content = file.read()
-                hear(file.path, content)
-                return content
-
-            return read
-
+        each file that is read, piece by piece from its beginning. The options are those of an import."""
+        tell: Hear = hear or (lambda path, content: None)
         if self.step is not None:
-            return _imported(self.name, self.step, heard(self.step), options)
+            return _imported(self.name, self.step, _Heard(self.step, tell).read, options)
+        files = [(placed, _Heard(placed.file, tell)) for placed in self.files if wanted(placed)]
         given = [
-            (placed.file.path, placed.role, placed.method, placed.first, placed.file.size, heard(placed.file))
-            for placed in self.files
-            if wanted(placed)
+            (placed.file.path, placed.role, placed.method, placed.first, placed.file.size, heard.read, heard.part)
+            if len(placed.file.chain) == 1
+            else (placed.file.path, placed.role, placed.method, placed.first, placed.file.size, heard.read, None)
+            for placed, heard in files
         ]
         found = _engine.read(self.name, given)
+        if hear is not None:
+            for _, heard in files:
+                heard.finish()
         cloud = found["cloud"]
         truth = None if found["truth"] is None else Segmentation(found["truth"], cloud)
         submissions = {method: Segmentation(native, cloud) for method, native in found["submissions"]}
@@ -285,9 +328,12 @@ def read(
 ) -> Model:
     """Reads one model from its files: a cloud of any kind, with its truth and what methods found, if they are there.
 
-    Files are told by their content, and by their names which is whose: the benchmark's own four, rows of points
-    (``.txt .xyz .csv …``), PLY, PCD, NumPy, vertex groups, OBJ, STL, labels, all of them packed by gzip or in a
-    folder or zip too, and STEP, of which the points are made here: ``points`` or ``spacing`` (mm), ``spread``
+    Files are told by their content, and by their names which is whose. Kinds that are read, packed by gzip or in a
+    folder or zip too:
+
+    KINDS
+
+    Of STEP (``.step .stp .p21``) the points are made here: ``points`` or ``spacing`` (mm), ``spread``
     (``even``, ``random``, or ``scan`` from so many ``views``), ``least``, ``seed``, ``named``, ``outer`` and ``separate`` are
     then those of the command line, and ``bodies`` are the numbers of those that are wanted (``declared()["importOptions"]``).
 
@@ -313,6 +359,15 @@ def read(
         if wrong:
             raise InputError(*wrong)
     return model
+
+
+def _kinds() -> str:
+    """The kinds of files that are declared, one a line."""
+    kinds = (f"* {kind['title']} (``.{' .'.join(kind['endings'])}``): {kind['meaning']}" for kind in declared()["fileKinds"])
+    return "\n    ".join(kinds)
+
+
+read.__doc__ = (read.__doc__ or "").replace("KINDS", _kinds())
 
 
 @contextlib.contextmanager

@@ -84,15 +84,19 @@ class Files:
 
     def load(self, clouds_only: bool) -> tuple[Model, bytes]:
         """Reads it."""
-        digest = hashlib.sha256(self.name.encode())
+        sums: dict[str, Any] = {}
 
         def hear(path: str, content: bytes) -> None:
-            digest.update(hashlib.sha256(path.encode()).digest() + hashlib.sha256(content).digest())
+            sums.setdefault(path, hashlib.sha256()).update(content)
 
         def is_wanted(placed: Placed) -> bool:
             return not clouds_only or placed.role == "cloud"
 
-        return self.group.read(is_wanted, hear), digest.digest()
+        model = self.group.read(is_wanted, hear)
+        digest = hashlib.sha256(self.name.encode())
+        for path, content in sums.items():
+            digest.update(hashlib.sha256(path.encode()).digest() + content.digest())
+        return model, digest.digest()
 
 
 Inputs = Union[StrPath, Iterable[Union[StrPath, Task]], Any]

@@ -8,6 +8,7 @@ use super::scalar::{Kind, Scalar};
 use crate::diagnostics::Diagnostic;
 use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::Findings;
+use crate::format::window::Window;
 
 /// What every such file begins with.
 pub(super) const MAGIC: &[u8] = b"LASF";
@@ -21,8 +22,7 @@ const DESCRIPTION: usize = 192;
 /// Most added columns that are looked at; a point has room for no more.
 const MOST_COLUMNS: usize = 4096;
 
-struct Head<'a> {
-    bytes: &'a [u8],
+struct Head {
     /// Where the points begin, and the bytes of each.
     start: usize,
     record: usize,
@@ -35,59 +35,79 @@ struct Head<'a> {
 }
 
 /// Reads a LAS file. Coordinates are whole numbers of the head's unit beyond the head's offset.
-pub(super) fn read(mut findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
-    let head = match Head::read(bytes) {
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read(
+    mut findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    window.reach(LONGEST_OWN_HEAD)?;
+    // What describes the points lies before them.
+    let start = whole(window.bytes(), 96, 4).and_then(|start| usize::try_from(start).ok());
+    window.reach(start.unwrap_or(0))?;
+    let head = match Head::read(window.bytes()) {
         Ok(head) => head,
         Err(None) => {
             findings.add_whole(&LAZ, String::new());
-            return (CloudFile::default(), findings.finish());
+            return Ok((CloudFile::default(), findings.finish()));
         }
         Err(Some(wrong)) => {
             findings.add_whole(&BAD_HEADER, wrong.to_owned());
-            return (CloudFile::default(), findings.finish());
+            return Ok((CloudFile::default(), findings.finish()));
         }
     };
-    let added = head.added();
+    let added = added(window.bytes());
     let names = ["x", "y", "z"].map(str::to_owned).into_iter();
     let names: Vec<String> = names.chain(added.iter().map(|it| it.0.clone())).collect();
     let columns = Columns::named(&names);
     let label = columns.as_ref().and_then(|columns| columns.label);
     let label = label.and_then(|column| added.get(column.checked_sub(3)?));
-    let body = bytes.get(head.start..).unwrap_or_default();
-    let there = body.len() / head.record;
-    let rows = usize::try_from(head.points)
-        .unwrap_or(usize::MAX)
-        .min(there);
+    let there = window.size().saturating_sub(head.start as u64) / head.record as u64;
+    let rows = usize::try_from(head.points.min(there)).unwrap_or(usize::MAX);
     let mut gather = Gather::new(findings, rows, label.is_some());
     if let Some(columns) = &columns {
         gather.tell_columns(columns);
     }
-    let whole = Scalar {
-        kind: Kind::Signed,
-        size: 4,
-        big_endian: false,
-    };
-    for row in body.chunks_exact(head.record).take(rows) {
-        if !gather.has_room() {
-            break;
-        }
+    let mut at = head.start;
+    while gather.rows() < rows && gather.has_room() {
+        let Some(row) = window.bytes().get(at..at + head.record) else {
+            if window.is_last() {
+                break;
+            }
+            let from = at.min(window.bytes().len());
+            window.move_on(from)?;
+            at -= from;
+            continue;
+        };
         let axis = |axis: usize| {
-            let count = whole.read(row, 4 * axis).unwrap_or(f64::NAN);
+            let count = COORDINATE.read(row, 4 * axis).unwrap_or(f64::NAN);
             count * head.scale[axis] + head.offset[axis]
         };
         let label = label.and_then(|&(_, scalar, at)| scalar.read(row, head.own + at));
         gather.push([axis(0), axis(1), axis(2)], label);
+        at += head.record;
     }
     if (gather.rows() as u64) < head.points && gather.has_room() {
         let found = format!("{} points of {}", gather.rows(), head.points);
         gather.findings().add_whole(&CUT_OFF, found);
     }
-    gather.finish()
+    Ok(gather.finish())
 }
 
-impl<'a> Head<'a> {
+/// Longest head of any version, in bytes, without what it says lies behind.
+const LONGEST_OWN_HEAD: usize = 375;
+
+/// How each coordinate is stored.
+const COORDINATE: Scalar = Scalar {
+    kind: Kind::Signed,
+    size: 4,
+    big_endian: false,
+};
+
+impl Head {
     /// The head; else what is wrong with it, or nothing where the points are packed.
-    fn read(bytes: &'a [u8]) -> Result<Self, Option<&'static str>> {
+    fn read(bytes: &[u8]) -> Result<Self, Option<&'static str>> {
         let short = || Some("it ends within its head");
         let number = |at: usize, size: usize| {
             whole(bytes, at, size)
@@ -117,7 +137,6 @@ impl<'a> Head<'a> {
             Ok(values)
         };
         Ok(Self {
-            bytes,
             start: number(96, 4)?,
             record,
             points: many.filter(|&many| many > 0).unwrap_or(few),
@@ -126,42 +145,42 @@ impl<'a> Head<'a> {
             offset: three(155)?,
         })
     }
+}
 
-    /// Name, kind and place of each column that is added to the format's own.
-    fn added(&self) -> Vec<(String, Scalar, usize)> {
-        let mut columns = Vec::new();
-        let mut at = whole(self.bytes, 94, 2).unwrap_or(0) as usize;
-        for _ in 0..whole(self.bytes, 100, 4).unwrap_or(0) {
-            // Reserved, user, number, length, description.
-            let (Some(user), Some(number), Some(length)) = (
-                self.bytes.get(at + 2..at + 18),
-                whole(self.bytes, at + 18, 2),
-                whole(self.bytes, at + 20, 2),
-            ) else {
-                break;
-            };
-            let body = at + 54..at + 54 + length as usize;
-            at = body.end;
-            if !user.starts_with(b"LASF_Spec") || number != 4 {
-                continue;
-            }
-            let descriptions = self.bytes.get(body).unwrap_or_default();
-            let mut place = 0;
-            for one in descriptions.chunks_exact(DESCRIPTION).take(MOST_COLUMNS) {
-                let name = one.get(4..36).unwrap_or_default();
-                let name = name.split(|&byte| byte == 0).next().unwrap_or_default();
-                let Some(scalar) = scalar_of(one.get(2).copied().unwrap_or(0)) else {
-                    // Of bytes without a meaning the options tell the number.
-                    place += usize::from(one.get(3).copied().unwrap_or(0));
-                    continue;
-                };
-                let name = String::from_utf8_lossy(name).into_owned();
-                columns.push((name, scalar, place));
-                place += scalar.size;
-            }
+/// Name, kind and place of each column that is added to the format's own.
+fn added(bytes: &[u8]) -> Vec<(String, Scalar, usize)> {
+    let mut columns = Vec::new();
+    let mut at = whole(bytes, 94, 2).unwrap_or(0) as usize;
+    for _ in 0..whole(bytes, 100, 4).unwrap_or(0) {
+        // Reserved, user, number, length, description.
+        let (Some(user), Some(number), Some(length)) = (
+            bytes.get(at + 2..at + 18),
+            whole(bytes, at + 18, 2),
+            whole(bytes, at + 20, 2),
+        ) else {
+            break;
+        };
+        let body = at + 54..at + 54 + length as usize;
+        at = body.end;
+        if !user.starts_with(b"LASF_Spec") || number != 4 {
+            continue;
         }
-        columns
+        let descriptions = bytes.get(body).unwrap_or_default();
+        let mut place = 0;
+        for one in descriptions.chunks_exact(DESCRIPTION).take(MOST_COLUMNS) {
+            let name = one.get(4..36).unwrap_or_default();
+            let name = name.split(|&byte| byte == 0).next().unwrap_or_default();
+            let Some(scalar) = scalar_of(one.get(2).copied().unwrap_or(0)) else {
+                // Of bytes without a meaning the options tell the number.
+                place += usize::from(one.get(3).copied().unwrap_or(0));
+                continue;
+            };
+            let name = String::from_utf8_lossy(name).into_owned();
+            columns.push((name, scalar, place));
+            place += scalar.size;
+        }
     }
+    columns
 }
 
 /// The kinds of numbers that an added column may be of, by their code from 1.

@@ -72,10 +72,19 @@ const STL_HEAD: usize = 84;
 
 /// How many triangles a binary STL says it has, where its length says so too, or nearly.
 fn triangles(bytes: &[u8]) -> Option<usize> {
-    let count: [u8; 4] = bytes.get(80..84)?.try_into().ok()?;
-    let count = usize::try_from(u32::from_le_bytes(count)).ok()?;
-    let length = count.checked_mul(TRIANGLE)?.checked_add(STL_HEAD)?;
-    (count > 0 && length == bytes.len()).then_some(count)
+    triangles_in(bytes, bytes.len() as u64)
+}
+
+fn triangles_in(head: &[u8], size: u64) -> Option<usize> {
+    let count: [u8; 4] = head.get(80..84)?.try_into().ok()?;
+    let count = u32::from_le_bytes(count);
+    let length = u64::from(count) * TRIANGLE as u64 + STL_HEAD as u64;
+    (count > 0 && length == size).then_some(usize::try_from(count).ok()?)
+}
+
+/// Whether a file of so many bytes is binary STL, by how it begins.
+pub(super) fn is_binary_stl(head: &[u8], size: u64) -> bool {
+    triangles_in(head, size).is_some()
 }
 
 /// Whether bytes are STL, text or binary.

@@ -23,6 +23,7 @@ pub use vg::TYPES as VERTEX_GROUP_TYPES;
 
 use super::cloud::CloudFile;
 use super::findings::Findings;
+use super::window::Window;
 use crate::diagnostics::Diagnostic;
 
 /// What a file of another program holds.
@@ -75,6 +76,11 @@ pub fn is_foreign(file: &str, bytes: &[u8]) -> bool {
     kind_of(file, bytes).is_some()
 }
 
+/// Whether a file of so many bytes is of another program, or may be, by how it begins.
+pub(super) fn may_be_foreign(file: &str, head: &[u8], size: u64) -> bool {
+    head.starts_with(b"PK\x03\x04") || mesh::is_binary_stl(head, size) || is_foreign(file, head)
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Gzip,
@@ -119,12 +125,33 @@ fn read_kind(
         Kind::Gzip => return None,
         Kind::Array => numpy::read_array(findings, bytes),
         Kind::Archive => numpy::read_archive(findings, bytes, purpose),
-        Kind::Ply => of_cloud(ply::read(findings, bytes)),
+        Kind::Ply => of_cloud(in_memory(ply::read(findings, &mut Window::whole(bytes)))),
         Kind::Pcd => of_cloud(pcd::read(findings, bytes)),
-        Kind::Las => of_cloud(las::read(findings, bytes)),
+        Kind::Las => of_cloud(in_memory(las::read(findings, &mut Window::whole(bytes)))),
         Kind::Stl => of_cloud(mesh::read_stl(findings, bytes)),
         Kind::Groups => of_cloud(vg::read(findings, bytes)),
         Kind::Obj => of_cloud(mesh::read_obj(findings, bytes)),
+    })
+}
+
+/// What was read of a file that is in memory, and so can be had.
+fn in_memory(read: Result<(CloudFile, Vec<Diagnostic>), String>) -> (CloudFile, Vec<Diagnostic>) {
+    read.unwrap_or_default()
+}
+
+/// The cloud of a long file of another program, piece by piece; `None` where it is of a kind that is read whole.
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read_by_pieces(
+    file: &str,
+    window: &mut Window<'_>,
+) -> Result<Option<(CloudFile, Vec<Diagnostic>)>, String> {
+    let findings = Findings::new(file, &[]);
+    Ok(match kind_of(file, window.bytes()) {
+        Some(Kind::Ply) => Some(ply::read(findings, window)?),
+        Some(Kind::Las) => Some(las::read(findings, window)?),
+        _ => None,
     })
 }
 

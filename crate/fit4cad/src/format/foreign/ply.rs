@@ -7,6 +7,7 @@ use crate::diagnostics::Diagnostic;
 use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::Findings;
 use crate::format::number;
+use crate::format::window::Window;
 
 /// Longest head that is read, in bytes; real ones are below a thousand.
 const LONGEST_HEAD: usize = 1 << 16;
@@ -37,20 +38,28 @@ struct Head {
 }
 
 /// Reads the vertices; what other elements hold is passed over.
-pub(super) fn read(mut findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
-    let head = match Head::read(bytes) {
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read(
+    mut findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    let nothing = |findings: Findings<'_>| Ok((CloudFile::default(), findings.finish()));
+    window.reach(LONGEST_HEAD)?;
+    let head = match Head::read(window.bytes()) {
         Ok(head) => head,
         Err(line) => {
             findings.add_whole(&BAD_HEADER, line);
-            return (CloudFile::default(), findings.finish());
+            return nothing(findings);
         }
     };
     let Some(place) = head.elements.iter().position(|it| it.name == "vertex") else {
         findings.add_whole(&NO_COORDINATES, "no element `vertex`".to_owned());
-        return (CloudFile::default(), findings.finish());
+        return nothing(findings);
     };
     let Some((before, [vertices, ..])) = head.elements.split_at_checked(place) else {
-        return (CloudFile::default(), findings.finish());
+        return nothing(findings);
     };
     let has = |axis: &str| {
         vertices
@@ -61,24 +70,24 @@ pub(super) fn read(mut findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<
     let columns = Columns::named(&vertices.names).filter(|_| has("x") && has("y") && has("z"));
     let Some(columns) = columns else {
         findings.add_whole(&NO_COORDINATES, vertices.names.join(" "));
-        return (CloudFile::default(), findings.finish());
+        return nothing(findings);
     };
     let mut body = Body {
-        bytes,
+        window,
         at: head.end,
         text: head.text,
     };
     for element in before {
         for _ in 0..element.count {
-            if body.row(element, &mut |_, _| {}).is_none() {
+            if !body.row(element, &mut |_, _| {})? {
                 break;
             }
         }
     }
     // No row takes less than a byte, or two of text; so many bytes are there.
-    let possible = bytes.len().saturating_sub(body.at) / vertices.least_size(head.text).max(1);
-    let rows = usize::try_from(vertices.count).unwrap_or(usize::MAX);
-    let mut gather = Gather::new(findings, rows.min(possible), columns.label.is_some());
+    let possible = body.rest() / vertices.least_size(head.text).max(1) as u64;
+    let rows = usize::try_from(vertices.count.min(possible)).unwrap_or(usize::MAX);
+    let mut gather = Gather::new(findings, rows, columns.label.is_some());
     gather.tell_columns(&columns);
     let [x, y, z] = columns.coordinates;
     while (gather.rows() as u64) < vertices.count && gather.has_room() {
@@ -89,15 +98,15 @@ pub(super) fn read(mut findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<
             } else if Some(column) == columns.label {
                 label = Some(value);
             }
-        });
-        if whole.is_none() {
+        })?;
+        if !whole {
             let found = format!("{} points of {}", gather.rows(), vertices.count);
             gather.findings().add_whole(&CUT_OFF, found);
             break;
         }
         gather.push(row, label);
     }
-    gather.finish()
+    Ok(gather.finish())
 }
 
 impl Head {
@@ -189,19 +198,58 @@ impl Element {
 }
 
 /// What follows the head.
-struct Body<'a> {
-    bytes: &'a [u8],
+struct Body<'b, 't> {
+    window: &'b mut Window<'t>,
     at: usize,
     text: bool,
 }
 
-impl Body<'_> {
-    /// Hands the single numbers of a row over, with their places; `None` where the file ends before.
-    fn row(&mut self, element: &Element, take: &mut dyn FnMut(usize, f64)) -> Option<()> {
+impl Body<'_, '_> {
+    /// Bytes of the file from here on.
+    fn rest(&self) -> u64 {
+        let at = self.window.from() + self.at as u64;
+        self.window.size().saturating_sub(at)
+    }
+
+    /// Hands the single numbers of a row over, with their places; whether the file goes on to the end of the row. Of a row
+    /// that the piece of the file cuts off, some may be handed over twice.
+    fn row(&mut self, element: &Element, take: &mut dyn FnMut(usize, f64)) -> Result<bool, String> {
+        // Rows of nothing, of which there may be any number.
         if element.properties.is_empty() {
-            // Rows of nothing, of which there may be any number.
-            return None;
+            return Ok(false);
         }
+        loop {
+            let mut piece = Piece {
+                bytes: self.window.bytes(),
+                at: self.at,
+                text: self.text,
+                last: self.window.is_last(),
+            };
+            if piece.row(element, take).is_some() {
+                self.at = piece.at;
+                return Ok(true);
+            }
+            if piece.last {
+                return Ok(false);
+            }
+            self.window.move_on(self.at)?;
+            self.at = 0;
+        }
+    }
+}
+
+/// What is in memory of it.
+struct Piece<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    text: bool,
+    /// Whether the file ends with it.
+    last: bool,
+}
+
+impl Piece<'_> {
+    /// Hands the single numbers of a row over, with their places; `None` where the piece ends before.
+    fn row(&mut self, element: &Element, take: &mut dyn FnMut(usize, f64)) -> Option<()> {
         for (column, property) in element.properties.iter().enumerate() {
             match *property {
                 Property::One(scalar) => take(column, self.number(scalar)?),
@@ -234,6 +282,9 @@ impl Body<'_> {
         let start = self.at + rest.iter().position(|byte| !byte.is_ascii_whitespace())?;
         let rest = self.bytes.get(start..)?;
         let length = rest.iter().position(u8::is_ascii_whitespace);
+        if length.is_none() && !self.last {
+            return None;
+        }
         self.at = start + length.unwrap_or(rest.len());
         match number::read(self.bytes, start) {
             Some((value, end)) if end == self.at => Some(value),

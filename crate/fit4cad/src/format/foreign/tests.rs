@@ -545,3 +545,34 @@ fn texts_of_this_project_are_not_taken_for_others() {
         );
     }
 }
+
+#[test]
+fn ply_and_las_read_the_same_by_pieces_of_any_size() {
+    let lines: Vec<String> = rows()
+        .iter()
+        .map(|([x, y, z], label)| format!("{x} {y} 2 7 7 {z} {label}.0\r\n"))
+        .collect();
+    let text = format!(
+        "ply\nformat ascii 1.0\nelement face 2\nproperty list uchar int vertex_indices\nelement vertex 60\n\
+         property double x\nproperty double y\nproperty list uchar uchar odd\nproperty double z\n\
+         property float label\nend_header\n3 0 1 2\n0\n{}",
+        lines.concat()
+    );
+    let mut files = vec![
+        text.clone().into_bytes(),
+        text.as_bytes()[..text.len() - 9].to_vec(),
+    ];
+    files.extend([las(2, 3, 34, None), las(4, 6, 30, Some((10, FLOATS[2].1)))]);
+    let short = files[2][..files[2].len() - 5].to_vec();
+    files.push(short);
+    for file in files {
+        let Some((Content::Cloud(whole), findings)) = read_foreign("PC1", &file, Purpose::Truth)
+        else {
+            panic!("it is no cloud");
+        };
+        for piece in [1, 2, 7, 31, 64, 500, 5000] {
+            let found = crate::format::read_cloud_by_pieces("PC1", &file, piece);
+            assert_eq!(found, (whole.clone(), findings.clone()), "{piece}");
+        }
+    }
+}

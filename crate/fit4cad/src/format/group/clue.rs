@@ -3,6 +3,7 @@
 use super::Override;
 use crate::format::Role;
 use crate::format::files::{self, FILE_KINDS, Holds};
+use crate::format::pieces::PieceName;
 
 /// What is known of a file from its path, or from what the caller said about it.
 #[derive(Debug, Clone)]
@@ -26,6 +27,8 @@ pub(super) struct Clue<'a> {
     pub(super) kind: usize,
     /// Whether nothing says if it is a cloud or holds segments of one.
     pub(super) is_open: bool,
+    /// Where its name says that it holds the points of one primitive: of which model, as far as that is told.
+    pub(super) piece: Option<PieceName<'a>>,
 }
 
 /// What becomes of a path.
@@ -96,11 +99,22 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
             _ => format!("not of a kind that is read: {}", files::endings()),
         });
     };
+    let holds = FILE_KINDS.get(kind).map(|kind| kind.holds);
+    let piece = PieceName::read(stem)
+        .filter(|_| said_role.is_none_or(|role| role == Role::Primitives))
+        .filter(|_| holds != Some(Holds::Segments));
     let FileName {
         stem,
         mut role,
         mut method,
-    } = FileName::read(stem);
+    } = match piece {
+        Some(_) => FileName {
+            stem: stem.to_owned(),
+            role: Some(Role::Primitives),
+            method: None,
+        },
+        None => FileName::read(stem),
+    };
     let mut in_role_folder = false;
     for (depth, folder) in folders.iter().enumerate().rev() {
         let Some(found) = role_folder(folder) else {
@@ -118,7 +132,6 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
     if role.is_none() && said_role.is_none() && names_other_text(&stem) {
         return Sorted::Unknown("its name is not that of a model's file".to_owned());
     }
-    let holds = FILE_KINDS.get(kind).map(|kind| kind.holds);
     let usual = match holds {
         Some(Holds::Segments) => Role::Primitives,
         _ => Role::Cloud,
@@ -134,6 +147,7 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         model: None,
         kind,
         is_open: said_role.or(role).is_none() && holds == Some(Holds::Either),
+        piece,
     };
     if let Some(said) = said {
         clue.heed(said);

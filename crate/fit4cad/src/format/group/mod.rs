@@ -3,6 +3,7 @@
 mod clue;
 mod naming;
 mod natural;
+mod pieces;
 mod placing;
 
 #[cfg(test)]

@@ -97,19 +97,23 @@ pub fn model_number(name: &str) -> Option<u32> {
 }
 
 fn files(draft: Draft<'_>) -> Vec<PlacedFile> {
-    let names = method_names(draft.files.keys().map(|(owner, _)| owner));
-    let mut files = vec![PlacedFile {
-        path: draft.cloud.path.to_owned(),
-        role: Role::Cloud,
-        method: None,
+    let owners = draft.files.keys().map(|(owner, _)| owner);
+    let owners: BTreeSet<&Owner<'_>> = owners.chain(draft.pieces.keys()).collect();
+    let names = method_names(owners.into_iter());
+    let placed = |path: &str, role: Role, owner: Option<&Owner<'_>>| PlacedFile {
+        path: path.to_owned(),
+        role,
+        method: owner.and_then(|owner| names.get(owner).cloned()),
         first: None,
-    }];
-    files.extend(draft.files.iter().map(|((owner, role), path)| PlacedFile {
-        path: (*path).to_owned(),
-        role: *role,
-        method: names.get(owner).cloned(),
-        first: None,
-    }));
+    };
+    let clouds = std::iter::once(&draft.cloud.path).chain(&draft.more);
+    let mut files: Vec<PlacedFile> = clouds.map(|path| placed(path, Role::Cloud, None)).collect();
+    let own = draft.files.iter();
+    files.extend(own.map(|((owner, role), path)| placed(path, *role, Some(owner))));
+    for (owner, paths) in &draft.pieces {
+        let pieces = paths.iter();
+        files.extend(pieces.map(|path| placed(path, Role::Primitives, Some(owner))));
+    }
     files.sort_by(|a, b| {
         (a.role != Role::Cloud)
             .cmp(&(b.role != Role::Cloud))

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Grouping;
 use super::clue::{Clue, names_truth};
+use super::pieces::{self, Set};
 use crate::format::Role;
 
 /// A model while files are being found for it.
@@ -12,6 +13,10 @@ pub(super) struct Draft<'a> {
     pub(super) cloud: Clue<'a>,
     /// By whose they are and role; truth sorts first.
     pub(super) files: BTreeMap<(Owner<'a>, Role), &'a str>,
+    /// Further files of the cloud, where each holds the points of one primitive.
+    pub(super) more: Vec<&'a str>,
+    /// Files that hold the points of one primitive each, by whose they are.
+    pub(super) pieces: BTreeMap<Owner<'a>, Vec<&'a str>>,
 }
 
 /// Whose a file is.
@@ -38,6 +43,7 @@ const NAMELESS: &str = "submission";
 /// Gives each file a place in a model, or a reason why it has none.
 pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Draft<'a>> {
     let mut clues = clues;
+    let sets = pieces::take(&mut clues, grouping);
     settle(&mut clues);
     let (mut clouds, others): (Vec<_>, Vec<_>) =
         clues.into_iter().partition(|clue| clue.role == Role::Cloud);
@@ -45,8 +51,9 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
     clouds.sort_by_key(|clue| clue.kind);
     let mut shelf = Shelf::default();
     for cloud in clouds {
-        shelf.add_cloud(cloud, grouping);
+        shelf.add_cloud(cloud, Vec::new(), grouping);
     }
+    let sets = shelf.with_clouds_of(sets, grouping);
     // Bases whose role folders name methods: there, folders that name none hold the truth.
     let bases_of_methods: BTreeSet<Vec<&str>> = others
         .iter()
@@ -70,12 +77,29 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
         };
         shelf.put(model, owner, &clue, grouping);
     }
+    let (sets_at_home, sets): (Vec<_>, Vec<_>) = sets
+        .into_iter()
+        .partition(|(model, set)| shelf.is_home(*model, &set.clue));
+    for (model, set) in sets_at_home {
+        let owner = match &set.clue.method {
+            Some(name) => Owner::method(name.clone(), &set.clue),
+            None if set.clue.is_truth || !shelf.has_truth(model) => Owner::Truth,
+            None => Owner::method(NAMELESS.to_owned(), &set.clue),
+        };
+        shelf.put_pieces(model, owner, &set, grouping);
+    }
     let with_truth: Vec<bool> = shelf.models.iter().map(Draft::has_truth).collect();
     for (model, clue) in strangers {
         let holds_truth = clue.in_role_folder && bases_of_methods.contains(&clue.base);
         let has_truth = with_truth.get(model).copied().unwrap_or(false);
         let owner = shelf.owner_from_elsewhere(model, &clue, holds_truth, has_truth);
         shelf.put(model, owner, &clue, grouping);
+    }
+    for (model, set) in sets {
+        let has_truth = shelf.has_truth(model);
+        let holds_truth = set.clue.in_role_folder && bases_of_methods.contains(&set.clue.base);
+        let owner = shelf.owner_from_elsewhere(model, &set.clue, holds_truth, has_truth);
+        shelf.put_pieces(model, owner, &set, grouping);
     }
     shelf.models
 }
@@ -126,7 +150,10 @@ fn settle(clues: &mut [Clue<'_>]) {
 
 impl Draft<'_> {
     fn has_truth(&self) -> bool {
-        self.files.keys().any(|(owner, _)| *owner == Owner::Truth)
+        // A cloud of several files holds its own.
+        !self.more.is_empty()
+            || self.pieces.contains_key(&Owner::Truth)
+            || self.files.keys().any(|(owner, _)| *owner == Owner::Truth)
     }
 }
 
@@ -146,10 +173,12 @@ struct Shelf<'a> {
     by_stem: BTreeMap<String, Vec<usize>>,
     /// Models by their name in lower case and the folders of their set.
     at_home: BTreeMap<(String, Vec<&'a str>), usize>,
+    /// Models by the folders of their set.
+    by_base: BTreeMap<Vec<&'a str>, Vec<usize>>,
 }
 
 impl<'a> Shelf<'a> {
-    fn add_cloud(&mut self, cloud: Clue<'a>, grouping: &mut Grouping) {
+    fn add_cloud(&mut self, cloud: Clue<'a>, more: Vec<&'a str>, grouping: &mut Grouping) {
         let stem = cloud.stem.to_lowercase();
         let key = (stem.clone(), cloud.base.clone());
         if let Some(twin) = self
@@ -161,9 +190,15 @@ impl<'a> Shelf<'a> {
                 "{} already is the cloud {}",
                 twin.cloud.path, twin.cloud.stem
             );
-            grouping.reject(cloud.path, reason);
+            for path in std::iter::once(cloud.path).chain(more) {
+                grouping.reject(path, reason.clone());
+            }
             return;
         }
+        self.by_base
+            .entry(cloud.base.clone())
+            .or_default()
+            .push(self.models.len());
         self.at_home.insert(key, self.models.len());
         self.by_stem
             .entry(stem)
@@ -172,7 +207,106 @@ impl<'a> Shelf<'a> {
         self.models.push(Draft {
             cloud,
             files: BTreeMap::new(),
+            more,
+            pieces: BTreeMap::new(),
         });
+    }
+
+    /// The models of files that hold the points of one primitive each; those without a cloud become one.
+    fn with_clouds_of(
+        &mut self,
+        sets: Vec<Set<'a>>,
+        grouping: &mut Grouping,
+    ) -> Vec<(usize, Set<'a>)> {
+        let mut found = Vec::new();
+        let mut clouds = Vec::new();
+        // All are looked up before any becomes a cloud, which would be one for the others.
+        for mut set in sets {
+            match self.find_for(&mut set.clue) {
+                Ok(Some(model)) => {
+                    // A folder named after the model only holds them together.
+                    let cloud = self.models.get(model).map(|model| &model.cloud);
+                    let folder = set.clue.base.last();
+                    if let (Some(cloud), Some(folder)) = (cloud, folder)
+                        && cloud.base != set.clue.base
+                        && folder.eq_ignore_ascii_case(&cloud.stem)
+                    {
+                        set.clue.base.pop();
+                    }
+                    found.push((model, set));
+                }
+                Ok(None) => clouds.push(set.into_cloud()),
+                Err(reason) => {
+                    for file in &set.files {
+                        grouping.reject(file.path, reason.clone());
+                    }
+                }
+            }
+        }
+        for (cloud, more) in clouds {
+            self.add_cloud(cloud, more, grouping);
+        }
+        found
+    }
+
+    /// The model that files with the points of one primitive each are of: the one their names or their folder
+    /// name, else the one cloud in their folder or in the one around it. `None` where there is no cloud.
+    fn find_for(&self, clue: &mut Clue<'a>) -> Result<Option<usize>, String> {
+        if clue.model.is_some() {
+            return self.find(clue).map(Some);
+        }
+        if !clue.stem.is_empty()
+            && let Ok(model) = self.find(clue)
+        {
+            return Ok(Some(model));
+        }
+        if let Some((&folder, around)) = clue.base.split_last()
+            && self.by_stem.contains_key(&folder.to_lowercase())
+        {
+            let mut named = clue.clone();
+            folder.clone_into(&mut named.stem);
+            named.base = around.to_vec();
+            return self.find(&mut named).map(Some);
+        }
+        let around = clue.base.split_last().map(|(_, around)| around);
+        let beside = std::iter::once(&clue.base[..]).chain(around);
+        let models = beside
+            .filter_map(|base| self.by_base.get(base))
+            .find(|models| !models.is_empty());
+        match models.map_or(&[][..], |models| models) {
+            [] => Ok(None),
+            [model] => Ok(Some(*model)),
+            several => Err(self.unclear(several)),
+        }
+    }
+
+    fn has_truth(&self, model: usize) -> bool {
+        self.models.get(model).is_some_and(Draft::has_truth)
+    }
+
+    fn put_pieces(
+        &mut self,
+        model: usize,
+        owner: Owner<'a>,
+        set: &Set<'a>,
+        grouping: &mut Grouping,
+    ) {
+        let Some(draft) = self.models.get_mut(model) else {
+            return;
+        };
+        let first = draft
+            .files
+            .get(&(owner.clone(), Role::Primitives))
+            .or_else(|| draft.pieces.get(&owner)?.first());
+        if let Some(first) = first {
+            let reason = format!("{first} already gives the same for {}", draft.cloud.stem);
+            for file in &set.files {
+                grouping.reject(file.path, reason.clone());
+            }
+            return;
+        }
+        let paths = set.files.iter().map(|clue| clue.path);
+        draft.pieces.insert(owner, paths.collect());
     }
 
     /// The model a file belongs to; `PC1_HT_primitives.txt` is split into model and method if
@@ -246,23 +380,26 @@ impl<'a> Shelf<'a> {
         }
         match best[..] {
             [model] => Ok(model),
-            _ => {
-                let paths: Vec<&str> = best
-                    .iter()
-                    .take(MOST_NAMED)
-                    .filter_map(|&model| self.models.get(model))
-                    .map(|model| model.cloud.path)
-                    .collect();
-                let more = match best.len().saturating_sub(MOST_NAMED) {
-                    0 => String::new(),
-                    more => format!(" or one of {more} more"),
-                };
-                Err(format!(
-                    "it is unclear to which cloud it belongs: {}{more}",
-                    paths.join(" or ")
-                ))
-            }
+            _ => Err(self.unclear(&best)),
         }
+    }
+
+    /// Why a file that may be of any of these models has no place.
+    fn unclear(&self, models: &[usize]) -> String {
+        let paths: Vec<&str> = models
+            .iter()
+            .take(MOST_NAMED)
+            .filter_map(|&model| self.models.get(model))
+            .map(|model| model.cloud.path)
+            .collect();
+        let more = match models.len().saturating_sub(MOST_NAMED) {
+            0 => String::new(),
+            more => format!(" or one of {more} more"),
+        };
+        format!(
+            "it is unclear to which cloud it belongs: {}{more}",
+            paths.join(" or ")
+        )
     }
 
     fn is_home(&self, model: usize, clue: &Clue<'a>) -> bool {
@@ -306,7 +443,9 @@ impl<'a> Shelf<'a> {
         let Some(draft) = self.models.get_mut(model) else {
             return;
         };
-        match draft.files.get(&(owner.clone(), clue.role)) {
+        let pieces = draft.pieces.get(&owner).and_then(|paths| paths.first());
+        let pieces = pieces.filter(|_| clue.role == Role::Primitives);
+        match draft.files.get(&(owner.clone(), clue.role)).or(pieces) {
             None => {
                 draft.files.insert((owner, clue.role), clue.path);
             }

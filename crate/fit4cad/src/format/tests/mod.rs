@@ -2,6 +2,7 @@
 
 mod cloud;
 mod joining;
+mod pieces;
 mod primitives;
 mod segments;
 mod surfaces;

@@ -111,10 +111,10 @@ def evaluated(
     """What ``report`` says of every submission, each with the engine's version and the files it was made of."""
 
     def visit(group: Group, hear: Hear) -> Evaluated:
-        sums: dict[str, str] = {}
+        sums: dict[str, Any] = {}
 
         def hash_of(path: str, content: bytes) -> None:
-            sums[path] = hashlib.sha256(content).hexdigest()
+            sums.setdefault(path, hashlib.sha256()).update(content)
 
         model = group.read(of_truth, hash_of) if itself else group.read(hear=hash_of)
         told = model.diagnostics
@@ -131,7 +131,7 @@ def evaluated(
         for placed in group.files:
             if placed.file.path in sums:
                 whose = {} if placed.method is None else {"method": placed.method}
-                listed.append({"path": placed.file.path, "role": placed.role, **whose, "sha256": sums[placed.file.path]})
+                listed.append({"path": placed.file.path, "role": placed.role, **whose, "sha256": sums[placed.file.path].hexdigest()})
         results = []
         for method in [None] if itself else list(model.submissions):
             said = report(model, method)

@@ -16,11 +16,12 @@ use super::kinds::{
 };
 use crate::cloud::{Cloud, LARGEST, Numbering, Point};
 use crate::diagnostics::Diagnostic;
-use crate::format::findings::Findings;
+use crate::format::findings::{Findings, Kept};
 use crate::format::labels::is_label_value;
 use crate::format::labels::{NO_LABEL, by_label};
 use crate::format::limits::MAX_POINTS;
-use crate::format::scan::{self, Cursor, is_line_end, is_remark, is_whitespace};
+use crate::format::scan::{self, is_line_end, is_remark, is_whitespace};
+use crate::format::window::Window;
 
 /// Lines by which form and columns are told. Looking for the nearest neighbour of each among them
 /// takes a millionth of a second a pair.
@@ -29,62 +30,101 @@ const SAMPLES: usize = 1024;
 /// Longest line of names, in bytes; a longer one is none.
 const LONGEST_NAMES: usize = 4096;
 
-/// Reads a table of points. `labelled` where the kind of file says that its last column is of labels.
-pub(super) fn read(
-    findings: Findings<'_>,
-    cursor: Cursor<'_>,
+/// Reads a table of points from an offset on. `labelled` where the kind of file says that its last column is of
+/// labels.
+///
+/// # Errors
+/// Why the text cannot be had to its end.
+pub(in crate::format) fn read(
+    file: &str,
+    window: &mut Window<'_>,
+    from: usize,
     labelled: bool,
-) -> (CloudFile, Vec<Diagnostic>) {
-    let mut reader = Reader {
-        findings,
-        bytes: cursor.bytes(),
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    let mut start = Start::default();
+    let first = start.read(window, from)?;
+    let begin = window.from() + first as u64;
+    let samples = sampled(window, begin)?;
+    let samples: Vec<&[u8]> = samples.iter().map(Vec::as_slice).collect();
+    let dialect = dialect::tell(&samples);
+    let mut findings = Findings::new(file, &[]);
+    let columns = columns_of(&start, &samples, dialect, labelled);
+    let besides = columns.besides();
+    if !besides.is_empty() {
+        findings = Findings::resume(file, window.bytes(), window.lines(), findings.pause());
+        findings.add_found(&COLUMNS, first, || besides);
+    }
+    let mut rows = Rows {
+        kept: findings.pause(),
+        begin,
+        dialect,
+        columns,
         points: Vec::new(),
         labels: Vec::new(),
         broken: Vec::new(),
     };
-    let start = Start::of(reader.bytes, cursor.at);
-    let samples = sampled(reader.bytes, start.at);
-    let dialect = dialect::tell(&samples);
-    let columns = reader.columns(&start, &samples, dialect, labelled);
-    reader.rows(start.at, dialect, &columns);
-    reader.finish(&start, &columns)
+    let mut at = first;
+    loop {
+        let end = window.line_end(at)?;
+        if rows.take(file, window, at, end) || window.is_last() {
+            break;
+        }
+        at = window.let_go(end);
+        window.read_on()?;
+    }
+    Ok(rows.finish(file, &start))
 }
 
-/// Where the rows of a table begin, and what stands before them.
+/// What stands before the rows of a table.
 #[derive(Debug, Default)]
-struct Start<'a> {
-    /// Offset of the first line that is a row.
-    at: usize,
+struct Start {
     /// How many points the table says it has.
     count: Option<u64>,
     /// The last line that may be of names, and whether it was a remark.
-    names: Option<(&'a [u8], bool)>,
+    names: Option<(Vec<u8>, bool)>,
 }
 
-impl<'a> Start<'a> {
-    fn of(bytes: &'a [u8], from: usize) -> Self {
-        let mut start = Self::default();
-        for (at, line) in (Lines { bytes, at: from }) {
-            start.at = at;
-            match kind_of(line) {
-                Line::Blank => {}
-                Line::Remark(text) if (1..=LONGEST_NAMES).contains(&text.len()) => {
-                    start.names = Some((text, true))
+impl Start {
+    /// Reads up to the first line that is a row, and tells its offset into the window; the end where there is none.
+    fn read(&mut self, window: &mut Window<'_>, from: usize) -> Result<usize, String> {
+        let mut at = from;
+        loop {
+            let end = window.line_end(at)?;
+            let bytes = window.bytes().get(..end).unwrap_or_default();
+            for (row, line) in (Lines { bytes, at }) {
+                if self.is_row(line) {
+                    return Ok(row);
                 }
-                Line::Remark(_) => {}
-                Line::Count(count) if start.count.is_none() => start.count = Some(count),
-                Line::Words if line.len() <= LONGEST_NAMES => start.names = Some((line, false)),
-                Line::Words => {}
-                Line::Count(_) | Line::Numbers => return start,
             }
+            if window.is_last() {
+                return Ok(end);
+            }
+            at = window.let_go(end);
+            window.read_on()?;
         }
-        start.at = bytes.len();
-        start
+    }
+
+    /// Whether a line is a row; what it says where it is none.
+    fn is_row(&mut self, line: &[u8]) -> bool {
+        match kind_of(line) {
+            Line::Blank => {}
+            Line::Remark(text) if (1..=LONGEST_NAMES).contains(&text.len()) => {
+                self.names = Some((text.to_vec(), true));
+            }
+            Line::Remark(_) => {}
+            Line::Count(count) if self.count.is_none() => self.count = Some(count),
+            Line::Words if line.len() <= LONGEST_NAMES => {
+                self.names = Some((line.to_vec(), false));
+            }
+            Line::Words => {}
+            Line::Count(_) | Line::Numbers => return true,
+        }
+        false
     }
 
     /// The names of so many columns, if there are any.
     fn named(&self, count: usize, dialect: Dialect) -> Option<Columns> {
-        let (line, remark) = self.names?;
+        let (line, remark) = self.names.as_ref()?;
         let loose = || {
             let words = line.split(|&byte| is_whitespace(byte) || matches!(byte, b',' | b';'));
             words.filter(|word| !word.is_empty()).map(text_of).collect()
@@ -171,36 +211,41 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Rows evenly spread over the file.
-fn sampled(bytes: &[u8], from: usize) -> Vec<&[u8]> {
-    let length = bytes.len().saturating_sub(from);
+/// Rows evenly spread over the text from an offset on.
+fn sampled(window: &Window<'_>, from: u64) -> Result<Vec<Vec<u8>>, String> {
+    let length = window.size().saturating_sub(from);
+    let many = SAMPLES as u64;
     let mut lines = Vec::new();
     let mut next = from;
-    for k in 0..SAMPLES {
+    for k in 0..many {
         // Past the line that the place falls into, but for the first and for one that is past it already.
-        let mut at = from + length / SAMPLES * k + length % SAMPLES * k / SAMPLES;
-        if at <= next {
-            at = next;
-        } else {
-            let rest = bytes.get(at - 1..).unwrap_or_default();
-            let end = rest.iter().position(|&byte| is_line_end(byte));
-            at = end.map_or(bytes.len(), |end| at + end);
-        }
-        if at >= bytes.len() {
+        let place = from + length / many * k + length % many * k / many;
+        let within = place > next;
+        let start = if within { place - 1 } else { next };
+        let found = window.look_at(start, |bytes, all| {
+            let at = match bytes.iter().position(|&byte| is_line_end(byte)) {
+                _ if !within => 0,
+                Some(end) => end + 1,
+                None => bytes.len(),
+            };
+            let mut rows = Lines { bytes, at };
+            // Few lines between rows are something else.
+            let row = rows.by_ref().take(8).find_map(|(_, line)| {
+                let line = without_remark(line);
+                matches!(kind_of(line), Line::Numbers).then(|| line.to_vec())
+            });
+            // What the bytes end in may go on.
+            let whole = rows.at < bytes.len() || all;
+            whole.then_some((start + rows.at as u64, row))
+        })?;
+        let Some((after, row)) = found else { break };
+        if start >= window.size() {
             break;
         }
-        let mut rows = Lines { bytes, at };
-        // Few lines between rows are something else.
-        for (_, line) in rows.by_ref().take(8) {
-            let line = without_remark(line);
-            if matches!(kind_of(line), Line::Numbers) {
-                lines.push(line);
-                break;
-            }
-        }
-        next = rows.at;
+        lines.extend(row);
+        next = after;
     }
-    lines
+    Ok(lines)
 }
 
 /// A line up to the remark at its end.
@@ -209,82 +254,140 @@ fn without_remark(line: &[u8]) -> &[u8] {
     line.get(..end.unwrap_or(line.len())).unwrap_or(line)
 }
 
-struct Reader<'a> {
-    findings: Findings<'a>,
-    bytes: &'a [u8],
+/// What the columns of a table hold, by their names or by its rows.
+fn columns_of(start: &Start, samples: &[&[u8]], dialect: Dialect, labelled: bool) -> Columns {
+    let mut counts: Vec<usize> = samples
+        .iter()
+        .map(|line| Fields::of(line, dialect).count())
+        .collect();
+    counts.sort_unstable();
+    let usual = counts.get(counts.len() / 2).copied().unwrap_or(3);
+    start.named(usual, dialect).unwrap_or_else(|| {
+        let rows: Vec<Vec<f64>> = samples
+            .iter()
+            .map(|line| {
+                let fields = Fields::of(line, dialect);
+                let numbers = fields.map(|field| number_of(field, dialect).unwrap_or(f64::NAN));
+                numbers.collect()
+            })
+            .filter(|row: &Vec<f64>| {
+                row.len() >= usual && row.iter().take(3).all(|value| value.is_finite())
+            })
+            .collect();
+        Columns::guessed(&rows, labelled)
+    })
+}
+
+/// The rows that were read so far.
+struct Rows {
+    kept: Kept,
+    /// Offset of the first row in the text.
+    begin: u64,
+    dialect: Dialect,
+    columns: Columns,
     points: Vec<Point>,
     /// One a point, where there is a column of them.
     labels: Vec<i32>,
     broken: Vec<u32>,
 }
 
-impl Reader<'_> {
-    fn columns(
-        &mut self,
-        start: &Start<'_>,
-        samples: &[&[u8]],
-        dialect: Dialect,
-        labelled: bool,
-    ) -> Columns {
-        let mut counts: Vec<usize> = samples
-            .iter()
-            .map(|line| Fields::of(line, dialect).count())
-            .collect();
-        counts.sort_unstable();
-        let usual = counts.get(counts.len() / 2).copied().unwrap_or(3);
-        let columns = start.named(usual, dialect).unwrap_or_else(|| {
-            let rows: Vec<Vec<f64>> = samples
-                .iter()
-                .map(|line| {
-                    let fields = Fields::of(line, dialect);
-                    let numbers = fields.map(|field| number_of(field, dialect).unwrap_or(f64::NAN));
-                    numbers.collect()
-                })
-                .filter(|row: &Vec<f64>| {
-                    row.len() >= usual && row.iter().take(3).all(|value| value.is_finite())
-                })
-                .collect();
-            Columns::guessed(&rows, labelled)
-        });
-        let besides = columns.besides();
-        if !besides.is_empty() {
-            self.findings.add_found(&COLUMNS, start.at, || besides);
-        }
-        columns
-    }
-
+impl Rows {
     fn count(&self) -> usize {
         self.points.len() + self.broken.len()
     }
 
-    fn rows(&mut self, from: usize, dialect: Dialect, columns: &Columns) {
+    /// Takes the lines of the window between two offsets; whether no more are wanted.
+    fn take(&mut self, file: &str, window: &Window<'_>, from: usize, to: usize) -> bool {
+        let bytes = window.bytes().get(..to).unwrap_or_default();
+        let kept = std::mem::take(&mut self.kept);
+        let mut reader = Reader {
+            findings: Findings::resume(file, bytes, window.lines(), kept),
+            bytes,
+            rest: window.size() - window.from(),
+            read: window.from().saturating_sub(self.begin),
+            from: usize::try_from(self.begin.saturating_sub(window.from())).unwrap_or(0),
+            dialect: self.dialect,
+            rows: self,
+        };
+        let is_enough = reader.lines(from);
+        self.kept = reader.findings.pause();
+        is_enough
+    }
+
+    fn finish(mut self, file: &str, start: &Start) -> (CloudFile, Vec<Diagnostic>) {
+        let mut findings = Findings::resume(file, &[], 0, std::mem::take(&mut self.kept));
+        let rows = self.count();
+        if self.points.is_empty() {
+            let line = start.names.as_ref().map_or(&[][..], |(line, _)| line);
+            let keyword = line.get(..9);
+            let other = keyword.is_some_and(|word| word.eq_ignore_ascii_case(b"primitive"));
+            findings.add_whole(if other { &OTHER_FILE } else { &NO_POINTS }, String::new());
+        } else if let Some(count) = start.count.filter(|&count| count != rows as u64) {
+            findings.add_whole(&MISCOUNTED, format!("{count} said, {rows} found"));
+        }
+        // The first rows may be shorter than the others, and the guess by them too large.
+        self.points.shrink_to_fit();
+        self.labels.shrink_to_fit();
+        let numbering = Numbering::with_broken(rows, self.broken);
+        let file = CloudFile {
+            cloud: Cloud::numbered(self.points, numbering),
+            segments: self.columns.label.map(|_| by_label(&self.labels)),
+        };
+        (file, findings.finish_rows(rows))
+    }
+}
+
+/// Reads the rows that are in memory.
+struct Reader<'a, 'r> {
+    findings: Findings<'a>,
+    bytes: &'a [u8],
+    /// Bytes of the text from these on.
+    rest: u64,
+    /// Bytes of rows before these, and where in these rows begin.
+    read: u64,
+    from: usize,
+    dialect: Dialect,
+    rows: &'r mut Rows,
+}
+
+impl Reader<'_, '_> {
+    fn lines(&mut self, from: usize) -> bool {
         let bytes = self.bytes;
         for (at, whole) in (Lines { bytes, at: from }) {
             let line = without_remark(whole);
             if line.trim_ascii().is_empty() || line.trim_ascii_start().starts_with(b"//") {
                 continue;
             }
-            if self.count() >= MAX_POINTS {
-                return self.findings.add(&TOO_MANY, at);
+            if self.rows.count() >= MAX_POINTS {
+                self.findings.add(&TOO_MANY, at);
+                return true;
             }
-            self.row(at, line, dialect, columns);
-            if self.points.len() == super::ROWS_TO_JUDGE_BY {
-                self.reserve(from, at, columns);
+            let room = self.rows.points.capacity();
+            if self.rows.points.len() >= super::ROWS_TO_JUDGE_BY.max(room) {
+                self.reserve(at);
             }
+            self.row(at, line);
+        }
+        false
+    }
+
+    /// Makes room for as many points as the text can be expected to hold by the rows so far.
+    fn reserve(&mut self, at: usize) {
+        let read = self.read + at.saturating_sub(self.from) as u64;
+        let row = (read / self.rows.count().max(1) as u64).max(1);
+        let rest = self.rest.saturating_sub(at as u64) / row;
+        let rest = usize::try_from(rest + rest / 16 + 1).unwrap_or(MAX_POINTS);
+        let rest = rest.min(MAX_POINTS);
+        self.rows.points.reserve_exact(rest);
+        if self.rows.columns.label.is_some() {
+            let missing = self.rows.points.capacity() - self.rows.labels.len();
+            self.rows.labels.reserve_exact(missing);
         }
     }
 
-    fn reserve(&mut self, from: usize, at: usize, columns: &Columns) {
-        let row = ((at - from) / self.count().max(1)).max(1);
-        let rest = self.bytes.len().saturating_sub(at) / row;
-        let rest = (rest + rest / 16).min(MAX_POINTS);
-        self.points.reserve_exact(rest);
-        if columns.label.is_some() {
-            self.labels.reserve_exact(rest);
-        }
-    }
-
-    fn row(&mut self, at: usize, line: &[u8], dialect: Dialect, columns: &Columns) {
+    fn row(&mut self, at: usize, line: &[u8]) {
+        let dialect = self.dialect;
+        let columns = &self.rows.columns;
         let [x, y, z] = columns.coordinates;
         let mut point = [None; 3];
         let (mut label, mut wrong, mut count) = (None, None, 0);
@@ -311,45 +414,39 @@ impl Reader<'_> {
         }
         match point {
             [Some(x), Some(y), Some(z)] if columns.len() > 3 || count == 3 => {
-                self.push(at, Point::new(x, y, z), label, columns.label.is_some());
+                self.push(at, Point::new(x, y, z), label);
             }
-            _ => self.break_row(at, line, wrong, count, dialect, columns),
+            _ => self.break_row(at, line, wrong, count),
         }
     }
 
-    fn push(&mut self, at: usize, point: Point, label: Option<f64>, labelled: bool) {
+    fn push(&mut self, at: usize, point: Point, label: Option<f64>) {
         // NaN is in no range, and infinities are not read.
         if point.coords.amax() > LARGEST {
             self.findings
                 .add_row(&TOO_FAR, at, || scan::excerpt(self.bytes, at));
-            self.broken.push(self.count() as u32);
+            self.rows.broken.push(self.rows.count() as u32);
             return;
         }
-        self.points.push(point);
-        if labelled {
+        self.rows.points.push(point);
+        if self.rows.columns.label.is_some() {
             let known = label.filter(|&value| is_label_value(value));
             if known.is_none() {
                 self.findings
                     .add_row(&BAD_LABEL, at, || scan::excerpt(self.bytes, at));
             }
-            self.labels
+            self.rows
+                .labels
                 .push(known.map_or(NO_LABEL, |value| value as i32));
         }
     }
 
     /// A line that is no point: a row that keeps its number, or words that have none.
-    fn break_row(
-        &mut self,
-        at: usize,
-        line: &[u8],
-        wrong: Option<usize>,
-        count: usize,
-        dialect: Dialect,
-        columns: &Columns,
-    ) {
-        let bytes = self.bytes;
+    fn break_row(&mut self, at: usize, line: &[u8], wrong: Option<usize>, count: usize) {
+        let (bytes, dialect) = (self.bytes, self.dialect);
+        let columns = self.rows.columns.len();
         let some_number = Fields::of(line, dialect).any(|field| is_number_like(field, dialect));
-        if matches!(kind_of(line), Line::Words) && !some_number && count != columns.len() {
+        if matches!(kind_of(line), Line::Words) && !some_number && count != columns {
             return self
                 .findings
                 .add_row(&JUNK, at, || scan::excerpt(bytes, at));
@@ -360,28 +457,6 @@ impl Reader<'_> {
             None if count == 1 => "1 number".to_owned(),
             None => format!("{count} numbers"),
         });
-        self.broken.push(self.count() as u32);
-    }
-
-    fn finish(mut self, start: &Start<'_>, columns: &Columns) -> (CloudFile, Vec<Diagnostic>) {
-        let rows = self.count();
-        if self.points.is_empty() {
-            let keyword = start.names.map_or(&[][..], |(line, _)| line).get(..9);
-            let other = keyword.is_some_and(|word| word.eq_ignore_ascii_case(b"primitive"));
-            self.findings
-                .add_whole(if other { &OTHER_FILE } else { &NO_POINTS }, String::new());
-        } else if let Some(count) = start.count.filter(|&count| count != rows as u64) {
-            self.findings
-                .add_whole(&MISCOUNTED, format!("{count} said, {rows} found"));
-        }
-        // The first rows may be shorter than the others, and the guess by them too large.
-        self.points.shrink_to_fit();
-        self.labels.shrink_to_fit();
-        let numbering = Numbering::with_broken(rows, self.broken);
-        let file = CloudFile {
-            cloud: Cloud::numbered(self.points, numbering),
-            segments: columns.label.map(|_| by_label(&self.labels)),
-        };
-        (file, self.findings.finish_rows(rows))
+        self.rows.broken.push(self.rows.count() as u32);
     }
 }

@@ -1,0 +1,198 @@
+//! Contents of the files of a model, had one at a time and within the limits: whole, or of long texts piece by piece.
+
+use super::cloud::{self, CloudFile, RowForm, read_own};
+use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
+use super::pieces::Union;
+use super::readers::{ByPieces, Readers, Taken};
+use super::source::Source;
+use super::window::{PIECE, Text, Window};
+use crate::cloud::Cloud;
+use crate::diagnostics::{Diagnostic, Severity, Subject};
+
+/// The cloud of a file, and whether it was left for later.
+fn cloud_of(path: &str, bytes: &[u8], readers: &Readers) -> ((CloudFile, bool), Vec<Diagnostic>) {
+    match (readers.cloud)(path, bytes) {
+        Taken::Own => {
+            let (file, findings) = read_own(path, bytes);
+            ((file, false), findings)
+        }
+        Taken::Later => ((CloudFile::default(), true), Vec::new()),
+        Taken::Read(file, findings) => ((file, false), findings),
+    }
+}
+
+/// The same of a file that is too long to be held, piece by piece; `None` where it is to be read whole: it is short, or
+/// no text.
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, String> {
+    const GONE: &str = "it cannot be read in pieces any more";
+    let (path, size) = (file.path(), file.size());
+    if size <= 2 * PIECE as u64 || file.part(0, 0).is_none() {
+        return Ok(None);
+    }
+    let part = |from, to| file.part(from, to).unwrap_or_else(|| Err(GONE.to_owned()));
+    let mut window = Window::open(Text { size, part: &part }, PIECE)?;
+    // Whoever reads other kinds of files begins anew.
+    let later = Ok(Some(((CloudFile::default(), true), Vec::new())));
+    if !cloud::is_in_pieces(path, &window) {
+        return match readers.by_pieces {
+            None => later,
+            Some(ByPieces { foreign, .. }) => {
+                let found = foreign(path, &mut window)?;
+                Ok(found.map(|(file, findings)| ((file, false), findings)))
+            }
+        };
+    }
+    let (file, findings) = match (cloud::begin(path, &mut window)?, readers.by_pieces) {
+        (Err(_), _) => return Ok(None),
+        (Ok((at, RowForm::Paper)), _) => cloud::read_papers_form(path, &mut window, at)?,
+        (Ok((at, RowForm::Table)), Some(ByPieces { table, .. })) => {
+            table(path, &mut window, at, cloud::is_labelled(path))?
+        }
+        (Ok((_, RowForm::Table)), None) => return later,
+    };
+    Ok(Some(((file, false), findings)))
+}
+
+/// A cloud, whether it was left for later, and what is wrong with it.
+type Pieced = ((CloudFile, bool), Vec<Diagnostic>);
+
+/// Reads files of one model while they are within the limits, and keeps what is wrong.
+#[derive(Default)]
+pub(super) struct Reader {
+    bytes: u64,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(super) bare: Vec<Option<String>>,
+    pub(super) unread: bool,
+}
+
+impl Reader {
+    /// What `parse` makes of a file's path and content, where it can be had.
+    pub(super) fn read<'s, S: Source, T>(
+        &mut self,
+        file: &'s S,
+        parse: impl FnOnce(&'s str, &[u8]) -> (T, Vec<Diagnostic>),
+    ) -> Option<T> {
+        self.parse(file, || Ok(parse(file.path(), &file.content()?)))
+    }
+
+    /// What `parse` makes of a file, where it is not too large and can be had.
+    fn parse<S: Source, T>(
+        &mut self,
+        file: &S,
+        parse: impl FnOnce() -> Result<(T, Vec<Diagnostic>), String>,
+    ) -> Option<T> {
+        let refused = match self.admit(file.size()) {
+            Err((found, expected)) => Refusal::TooLarge(found, expected),
+            Ok(()) => match parse() {
+                Err(reason) => Refusal::Unreadable(reason),
+                Ok((content, findings)) => {
+                    self.diagnostics.extend(findings);
+                    return Some(content);
+                }
+            },
+        };
+        self.diagnostics.push(refused.told_of(file.path()));
+        None
+    }
+
+    /// The cloud of a file; empty where it cannot be had.
+    pub(super) fn cloud<S: Source>(&mut self, file: &S, readers: &Readers) -> CloudFile {
+        let content = self.parse(file, || match by_pieces(file, readers)? {
+            Some(found) => Ok(found),
+            None => Ok(cloud_of(file.path(), &file.content()?, readers)),
+        });
+        let (file, unread) = content.unwrap_or_default();
+        self.unread |= unread;
+        file
+    }
+
+    /// The cloud of a file that holds the points of one primitive: what else it says of them is left out,
+    /// as it would be said of each.
+    pub(super) fn piece<S: Source>(&mut self, file: &S, readers: &Readers) -> Cloud {
+        let before = self.diagnostics.len();
+        let CloudFile { cloud, .. } = self.cloud(file, readers);
+        let own = self.diagnostics.split_off(before).into_iter();
+        self.diagnostics
+            .extend(own.filter(|finding| finding.severity > Severity::Note));
+        cloud
+    }
+
+    /// The cloud that files make together, each with the points of one primitive.
+    pub(super) fn union<S: Source>(&mut self, files: &[&S], readers: &Readers) -> CloudFile {
+        let mut union = Union::default();
+        for &file in files {
+            let cloud = self.piece(file, readers);
+            self.diagnostics.extend(union.add(file.path(), &cloud));
+        }
+        union.finish()
+    }
+
+    /// Counts a file of so many bytes in; says what is too much, and what would not be.
+    fn admit(&mut self, size: u64) -> Result<(), (String, String)> {
+        let mebibytes = |bytes: u64| format!("{} MiB", bytes.div_ceil(1 << 20));
+        if size > MAX_FILE_BYTES {
+            let most = mebibytes(MAX_FILE_BYTES);
+            return Err((mebibytes(size), format!("at most {most}")));
+        }
+        let total = self.bytes + size;
+        if total > MAX_MODEL_BYTES {
+            let most = mebibytes(MAX_MODEL_BYTES);
+            return Err((
+                format!("{} with the model's files before it", mebibytes(total)),
+                format!("at most {most} in all files of a model"),
+            ));
+        }
+        self.bytes = total;
+        Ok(())
+    }
+}
+
+/// Why a file is not read.
+enum Refusal {
+    /// What was found and what would be read.
+    TooLarge(String, String),
+    /// Why its content could not be had.
+    Unreadable(String),
+}
+
+impl Refusal {
+    fn told_of(&self, path: &str) -> Diagnostic {
+        match self {
+            Self::TooLarge(found, expected) => whole_file(
+                path,
+                "The file is too large and was not read",
+                found,
+                expected,
+                "Thin the cloud or split the file",
+            ),
+            Self::Unreadable(reason) => {
+                let message = format!("The file could not be read: {reason}");
+                whole_file(path, &message, "", "", "")
+            }
+        }
+    }
+}
+
+/// A finding about a file as a whole, by which it is not used.
+pub(super) fn whole_file(
+    file: &str,
+    message: &str,
+    found: &str,
+    expected: &str,
+    hint: &str,
+) -> Diagnostic {
+    Diagnostic {
+        severity: Severity::Error,
+        subject: Subject::File,
+        primitive: None,
+        file: file.to_owned(),
+        position: None,
+        message: message.to_owned(),
+        found: found.to_owned(),
+        expected: expected.to_owned(),
+        hint: hint.to_owned(),
+    }
+}
