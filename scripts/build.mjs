@@ -3,7 +3,7 @@
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { writeDeclared } from "./lib/declared.mjs";
+import { PUBLISHED, writeDeclared } from "./lib/declared.mjs";
 import { ROOT, WASM_TARGET, npmCommand, tool } from "./lib/paths.mjs";
 import { ask, isMain, main, run, runNode, say } from "./lib/run.mjs";
 import { setup } from "./setup.mjs";
@@ -95,7 +95,8 @@ async function generate({ crate, name, folders }) {
 /** Writes out what Rust declares, unless that is done. */
 async function declare() {
   const [engine, cad] = ["bin/engine", "bin/cad"];
-  const stamp = `${readStamp(engine)} ${readStamp(cad)}`;
+  const published = createHash("sha256").update(readFileSync(PUBLISHED)).digest("hex");
+  const stamp = `${readStamp(engine)} ${readStamp(cad)} ${published}`;
   if (readStamp(DECLARED) === stamp) {
     return;
   }

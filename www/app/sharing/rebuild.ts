@@ -2,7 +2,7 @@
 // stop ends all of it.
 
 import { computed, effect, signal } from "@preact/signals";
-import { PUBLISHED_METHODS } from "../public/catalogue";
+import { PUBLISHED_METHODS } from "../../shared/published/methods.mjs";
 import { models, type ModelEntry } from "../state/models";
 import { notify } from "../state/notices";
 import type { JudgedClaim } from "./judge";
