@@ -12,7 +12,6 @@ pub const PUBLISHED: &str = include_str!("published.json");
 mod tests {
     use super::*;
     use crate::metrics::{Measure, Protocol};
-    use fit4cad_testing::test;
     use serde_json::Value;
 
     #[test]
