@@ -2,10 +2,11 @@
 // It starts as the scorer; the whole engine, with the fitters, is fetched when it is first asked for.
 
 import * as Comlink from "comlink";
-import init, { Model, compare, datasetStatistics, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
+import init, { Model, compare, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
 import { comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
 import { EXPORT_COLOURS } from "../shared/palette.mjs";
 import { stayAlive } from "./alive";
+import type { Model as WholeModel } from "../generated/engine/engine.js";
 import { modelOf } from "./input";
 import { sameWords } from "./same-words";
 import type {
@@ -40,17 +41,27 @@ function wholeEngine(): ReturnType<typeof fetchWhole> {
 
 const PACE_MS = 80;
 
-let held: { key: string; model: Model } | undefined;
+let held: { key: string; model: Model; whole: WholeModel | undefined } | undefined;
 
 async function read(source: ModelSource): Promise<Model> {
   await ready;
   if (held?.key === source.key) return held.model;
   letGo();
-  const model = await wholly(source);
+  const { model, whole } = await wholly(source);
   // Another may have been read while the whole engine was fetched.
   letGo();
-  held = { key: source.key, model };
+  held = { key: source.key, model, whole };
   return model;
+}
+
+/** Read by the whole engine, for what the scorer cannot do; from then on it is the one held. */
+async function readWholly(source: ModelSource): Promise<WholeModel> {
+  const engine = await wholeEngine();
+  if (held?.key === source.key && held.whole) return held.whole;
+  letGo();
+  const whole = modelOf(engine.Model, source.name, source.files);
+  held = { key: source.key, model: whole as unknown as Model, whole };
+  return whole;
 }
 
 function letGo(): void {
@@ -59,11 +70,12 @@ function letGo(): void {
 }
 
 /** Read by the whole engine where the scorer leaves something to it. */
-async function wholly({ name, files }: ModelSource): Promise<Model> {
+async function wholly({ name, files }: ModelSource): Promise<{ model: Model; whole: WholeModel | undefined }> {
   const model = modelOf(Model, name, files);
-  if (!model.wantsWhole()) return model;
+  if (!model.wantsWhole()) return { model, whole: undefined };
   model.free();
-  return modelOf((await wholeEngine()).Model, name, files);
+  const whole = modelOf((await wholeEngine()).Model, name, files);
+  return { model: whole, whole };
 }
 
 function segmentation(model: Model, method?: string): SegmentationScene {
@@ -260,7 +272,7 @@ const worker: EngineWorker = {
   },
 
   async patch(source, place, method) {
-    return (await read(source)).patch(place, method);
+    return (await readWholly(source)).patch(place, method);
   },
 
   async audit(source) {
@@ -282,12 +294,11 @@ const worker: EngineWorker = {
   },
 
   async statistics(source) {
-    return (await read(source)).statistics();
+    return (await readWholly(source)).statistics();
   },
 
   async datasetStatistics(models) {
-    await ready;
-    return datasetStatistics([...models]);
+    return (await wholeEngine()).datasetStatistics([...models]);
   },
 
   async write(source, method) {

@@ -30,8 +30,10 @@ mod keys;
 #[cfg(feature = "workshop")]
 mod lesson;
 mod lists;
+#[cfg(feature = "workshop")]
 mod look;
 mod model;
+mod normals;
 mod outcome;
 mod part;
 mod paths;
@@ -41,6 +43,7 @@ mod recognition;
 mod report;
 #[cfg(feature = "workshop")]
 mod single;
+#[cfg(feature = "workshop")]
 mod statistics;
 mod stop;
 #[cfg(feature = "workshop")]
@@ -80,6 +83,7 @@ pub use lesson::hough::{
 #[cfg(feature = "workshop")]
 pub use lesson::painting::{CountsInfo, PaintedScore};
 pub use lists::PointLists;
+#[cfg(feature = "workshop")]
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
 pub use outcome::{Counted, Histogram};
@@ -93,6 +97,7 @@ pub use report::{
 };
 #[cfg(feature = "workshop")]
 pub use single::{SingleInfo, Singles, VerdictInfo};
+#[cfg(feature = "workshop")]
 pub use statistics::{
     DatasetStatistics, ModelStatistics, Spread, TypeShares, Types, dataset_statistics,
 };

@@ -1,53 +1,20 @@
-// The two protocols in plain words.
+// The two protocols in plain words, fetched when they are first asked for.
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
-import { PROTOCOL_DIFFERENCES } from "../../generated/declared/protocol-differences.js";
 import { Dialog } from "../ui/dialog";
-import { capitalised } from "../ui/format";
+import { Lazy, type Load } from "../ui/lazy";
 import { goToPanel } from "../state/panels";
 import { goTo, HOME } from "../state/router";
-import { PROTOCOLS } from "./protocols";
 
 export const protocolShown = signal(false);
+
+const load: Load = () => import("./protocol-sheet");
 
 export function ProtocolDialog(): JSX.Element {
   return (
     <Dialog open={protocolShown} title="Two protocols" className="protocols">
-      {PROTOCOLS.map(({ name, meaning }) => (
-        <p key={name}>
-          <strong>{capitalised(name)}.</strong> {meaning}
-        </p>
-      ))}
-      <table>
-        <caption class="visually-hidden">How the protocols differ</caption>
-        <thead>
-          <tr>
-            <th scope="col">What</th>
-            <th scope="col">Definition</th>
-            <th scope="col">Published</th>
-          </tr>
-        </thead>
-        <tbody>
-          {PROTOCOL_DIFFERENCES.map(({ what, definition, published }) => (
-            <tr key={what}>
-              <th scope="row">{what}</th>
-              <td>{definition}</td>
-              <td>{published}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      <p>
-        In both, each true primitive is matched with the predicted one it shares most points with; of equals, the first.
-        A true primitive that shares no point with any prediction scores DSC, PPV and TPR 0 in the mean, so predicting nothing never pays.
-      </p>
-      <p>
-        Others score by rules of their own.{" "}
-        <button type="button" onClick={compareAll}>
-          The protocols of the field, side by side
-        </button>
-      </p>
+      <Lazy load={load} title="the protocols" />
     </Dialog>
   );
 }
