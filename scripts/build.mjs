@@ -3,7 +3,7 @@
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { writeDeclared } from "./lib/declared.mjs";
+import { PUBLISHED, writeDeclared } from "./lib/declared.mjs";
 import { ROOT, WASM_TARGET, npmCommand, tool } from "./lib/paths.mjs";
 import { ask, isMain, main, run, runNode, say } from "./lib/run.mjs";
 import { setup } from "./setup.mjs";
@@ -22,10 +22,10 @@ const FEATURES = [
 ];
 const OPTIMISE = ["-O3", ...FEATURES.map((feature) => `--enable-${feature}`)];
 
-/** Crate, name of the generated module, and the folders that get it. */
+/** Crate, name of the generated module, and the folders that get it; in another profile than `release` where one is named. */
 const MODULES = [
   { crate: "fit4cad-engine", name: "engine", folders: ["www/generated/engine", "bin/engine"] },
-  { crate: "fit4cad-scorer", name: "scorer", folders: ["www/generated/scorer"] },
+  { crate: "fit4cad-scorer", name: "scorer", folders: ["www/generated/scorer"], profile: "small" },
   { crate: "fit4cad-cad", name: "cad", folders: ["www/generated/cad", "bin/cad"] },
   { crate: "fit4cad-view", name: "view", folders: ["www/generated/view"] },
 ];
@@ -36,7 +36,7 @@ const DECLARED = "www/generated/declared";
 export async function buildWasm() {
   for (const module of MODULES) {
     // One at a time: built together, the scorer would get every feature that the engine asks for.
-    const build = ["build", "--release", "--locked", "--quiet", "--target", WASM_TARGET];
+    const build = ["build", "--profile", module.profile ?? "release", "--locked", "--quiet", "--target", WASM_TARGET];
     await run("cargo", [...build, "--package", module.crate]);
     await generate(module);
   }
@@ -66,8 +66,8 @@ async function buildDocumentation() {
 }
 
 /** @param {(typeof MODULES)[number]} module */
-async function generate({ crate, name, folders }) {
-  const compiled = join(ROOT, "target", WASM_TARGET, "release", `${crate.replaceAll("-", "_")}.wasm`);
+async function generate({ crate, name, folders, profile = "release" }) {
+  const compiled = join(ROOT, "target", WASM_TARGET, profile, `${crate.replaceAll("-", "_")}.wasm`);
   const stamp = stampOf(compiled);
   if (folders.every((folder) => readStamp(folder) === stamp)) {
     return;
@@ -95,7 +95,8 @@ async function generate({ crate, name, folders }) {
 /** Writes out what Rust declares, unless that is done. */
 async function declare() {
   const [engine, cad] = ["bin/engine", "bin/cad"];
-  const stamp = `${readStamp(engine)} ${readStamp(cad)}`;
+  const published = createHash("sha256").update(readFileSync(PUBLISHED)).digest("hex");
+  const stamp = `${readStamp(engine)} ${readStamp(cad)} ${published}`;
   if (readStamp(DECLARED) === stamp) {
     return;
   }

@@ -14,6 +14,7 @@ import { ROLES } from "../../www/generated/declared/roles.js";
 import { SAMPLE_OPTIONS } from "../../www/generated/declared/sample-options.js";
 import { STRATA } from "../../www/generated/declared/strata.js";
 import { FORMATS } from "../../www/shared/formats/index.mjs";
+import { MOST_DIGITS } from "../../www/shared/formats/wanted.mjs";
 import { WEAR, wearWords } from "../../www/shared/results/wear.mjs";
 import { CALLED, STEP_FORM } from "../../www/shared/step.mjs";
 import { loadCad } from "./cad.mjs";
@@ -55,7 +56,17 @@ Try it on a model of your own making:
 Exit code: 0 all well, 1 some input was unusable (the rest was scored), 2 called wrongly.
 `;
 
-const score = () => `fit4cad score PATH… [--protocol ${PROTOCOL_NAMES}] [--format FORMAT] [--self] [--as …]
+/** What is to be shown of the benchmark's measures. */
+const TABLE_HELP = /** @type {const} */ ([
+  ["--means", "the mean of each method alone, no rows of single models"],
+  ["--measures NAME,NAME…", "these measures alone as columns"],
+  ["--digits N", `digits after the point, up to ${MOST_DIGITS}; LaTeX and Markdown write what all of them would show as 0 as a power of ten`],
+  ["--bold", "the best figure of each model, and the best mean, in bold: for latex and markdown"],
+  ["--published", "also the paper's two methods, scored from their published files by the same protocol, on the models that are its test models by name, points and true primitives"],
+]);
+
+const score = () => `fit4cad score PATH… [--protocol ${PROTOCOL_NAMES}] [--format FORMAT] [--means] [--measures NAME,NAME…]
+                    [--digits N] [--bold] [--published] [--self] [--jobs N] [--as …]
 fit4cad score PATH… [--protocol NAME,NAME…] [--measures NAME,NAME…] [--normalisation NAME]
                     [--epsilon N] [--by NAME,NAME…] [--format FORMAT] [--self] [--jobs N] [--as …]
 
@@ -67,7 +78,7 @@ A cloud may be of any of these kinds, told by its content; PC14.txt beside PC14.
 ${terms(FILE_KINDS.map(({ endings, title, meaning }) => [`.${endings[0]}`, `${title}${others(endings)}: ${meaning}`]), 10)}A folder whose name ends in a method's (pointCloud_primitives_HT) or is one (HT/) holds that
 method's submission; files in other folders are the truth. One of the two surface files is enough.
 
-${terms(PROTOCOLS.map(({ name, meaning }, place) => [`--protocol ${name}`, `${place === 0 ? "(default) " : ""}${meaning}`]), 26)}${formatHelp(26)}  --self                  scores the truth against itself, as method "truth"
+${terms(PROTOCOLS.map(({ name, meaning }, place) => [`--protocol ${name}`, `${place === 0 ? "(default) " : ""}${meaning}`]), 26)}${formatHelp(26)}${terms(TABLE_HELP, 26)}  --self                  scores the truth against itself, as method "truth"
 ${terms([["--jobs N", JOBS_HELP]], 26)}  --as role=R,model=M,method=N,first=F:FILE
                           FILE is R (${ROLE_NAMES}) of model M, found by
                           method N (empty: the truth), whatever its name says, and its indices count
@@ -99,6 +110,7 @@ Examples:
   fit4cad score Fit4CAD-main.zip
   fit4cad score dataset/test_set my_results/pointCloud_primitives_MINE --format csv > scores.csv
   fit4cad score . --protocol published --format json | jq '.[].mean.DSC'
+  fit4cad score test_set answers --means --published --bold --format latex > table.tex
   fit4cad score . --protocol spfn,parsenet,pq --measures all --by size,type
   fit4cad score set answers --protocol shrec2022,spfn --by noise,missing --format latex
 

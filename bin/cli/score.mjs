@@ -2,6 +2,7 @@
 
 import { PROTOCOLS } from "../../www/generated/declared/protocols.js";
 import { FORMATS } from "../../www/shared/formats/index.mjs";
+import { withPublished } from "../../www/shared/formats/published-rows.mjs";
 import { scoresOf } from "../../www/shared/formats/measures.mjs";
 import { corrections } from "./corrections.mjs";
 import { inOneLine, tell } from "./diagnostics.mjs";
@@ -11,12 +12,14 @@ import { FIELD_OPTIONS, fieldOf, scoreField } from "./field.mjs";
 import { FORMAT_OPTIONS, formatOf } from "./format.mjs";
 import { collect } from "./inputs.mjs";
 import { JOBS_OPTIONS, jobsOf } from "./jobs.mjs";
+import { TABLE_OPTIONS, areColumns, refuseBesideField, wantedOf } from "./tables.mjs";
 import { print, progress, warn } from "./terminal.mjs";
 import { UsageError, choice, readArguments } from "./usage.mjs";
 
 const OPTIONS = /** @type {const} */ ({
   protocol: { type: "string", default: "definition" },
   ...FIELD_OPTIONS,
+  ...TABLE_OPTIONS,
   ...FORMAT_OPTIONS,
   self: { type: "boolean", default: false },
   ...JOBS_OPTIONS,
@@ -34,8 +37,12 @@ export async function score(args) {
   if (positionals.length === 0) {
     throw new UsageError("give at least one file, folder or zip");
   }
-  const field = fieldOf(values);
+  const field = fieldOf(areColumns(values) ? { ...values, measures: undefined } : values);
   const format = formatOf(values, NAMES);
+  if (field) {
+    refuseBesideField(values);
+  }
+  const { wanted, published } = wantedOf(field ? { ...values, measures: undefined } : values, format);
   const overrides = corrections(values.as);
   const jobs = jobsOf(values);
   const engine = await loadEngine();
@@ -61,7 +68,11 @@ export async function score(args) {
   if (results.length === 0) {
     warn("fit4cad score: nothing could be scored. A score needs a cloud, its truth and a submission; see fit4cad score --help.");
   }
-  await print(FORMATS[format].write(results, able.summarise(scoresOf(results))));
+  const rows = published ? withPublished(results) : results;
+  if (published && rows.length === results.length) {
+    warn("fit4cad score: --published adds nothing: no model is one of the 35 test models, by name, points and true primitives.");
+  }
+  await print(FORMATS[format].write(rows, able.summarise(scoresOf(rows)), wanted));
   const failed = results.length === 0 || problems.some(({ severity }) => severity === "error");
   return failed ? 1 : 0;
 }

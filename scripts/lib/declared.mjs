@@ -4,6 +4,12 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { ROOT } from "./paths.mjs";
+
+/** The figures of the paper's methods, which the crate holds as data. */
+export const PUBLISHED = join(ROOT, "crate/fit4cad/src/metrics/published.json");
+const PUBLISHED_ROWS = `Readonly<Record<"PG" | "HT", Readonly<Record<Protocol | "paper", readonly (number | null)[]>>>>`;
+const PUBLISHED_TYPE = `{ readonly measures: readonly Measure[]; readonly models: Readonly<Record<string, { readonly points: number; readonly truth: number } & ${PUBLISHED_ROWS}>> }`;
 
 /**
  * Writes a module for each list that the engine and the module for STEP files declare.
@@ -19,6 +25,8 @@ export async function writeDeclared({ engine, cad }, folder) {
     write(folder, key, list, `import type { Declarations } from "../engine/engine.js"`, `Readonly<Declarations["${key}"]>`);
   }
   write(folder, "importOptions", importOptions(), `import type { OptionInfo } from "../cad/cad.js"`, "readonly OptionInfo[]");
+  const { measures, models } = JSON.parse(readFileSync(PUBLISHED, "utf8"));
+  write(folder, "published", { measures, models }, `import type { Measure, Protocol } from "../engine/engine.js"`, PUBLISHED_TYPE);
 }
 
 /**

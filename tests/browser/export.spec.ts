@@ -9,6 +9,7 @@ import { unzipSync } from "fflate";
 import { expect, open, picture, row, rows, test } from "./support/test";
 import { filesOf, METHOD, ROOT } from "./support/engine";
 import { dropFiles } from "./support/sharing";
+import { squares } from "./support/squares";
 
 const VERSION = run("--version").trim().split(" ")[1] ?? "";
 
@@ -50,6 +51,41 @@ test("every export downloads, and is what the command line gives for the same fi
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
   await page.setViewportSize({ width: 360, height: 740 });
   await picture(page, "sheet-share-narrow");
+});
+
+test("a table for a paper is chosen under one's eyes, saved as seen, and is what the command line writes", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const files = [...filesOf("bracket", "PC3"), ...filesOf("flange", "PC12"), ...squares("PC1", 7500, 8)];
+  await open(page);
+  const folder = await dropFiles(page, "set", files);
+  await expect(rows(page)).toHaveCount(3);
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const preview = page.getByTestId("table-preview");
+  await expect(preview).toContainText("\\begin{tabular}{llrrrrrrrrrrrr}");
+  await expect(preview).toContainText("Mean of 2 & Imperfect");
+  await expect(preview).not.toContainText("published");
+  await page.getByLabel("With the published methods").check();
+  await expect(preview).toContainText(/PC 1 & MINE .*\n +& HT \(published\) & \$7\{,\}500\$ & \$8\$ & {2}& \$0\.987\$/);
+  await page.getByLabel("Best in bold").check();
+  await expect(preview).toContainText(/PC 1 & MINE & .* & \$\\mathbf\{1\.000\}\$/);
+  await page.getByRole("combobox", { name: "Digits" }).selectOption("2");
+  for (const measure of ["TNR", "NPV", "ACC", "MFE", "dHaus", "d1"]) await page.getByLabel(measure, { exact: true }).uncheck();
+  await page.getByRole("combobox", { name: "Rows" }).selectOption("means only");
+  await expect(preview).toContainText(/method & \\# models & DSC & PPV & TPR \\\\\n/);
+  await expect(preview).toContainText(/ MINE & \$1\$ & .*\n/);
+  await expect(preview).toContainText(/ HT \(published\) & \$1\$ & \$0\.99\$ & \$0\.98\$ & /);
+  await picture(page, "sheet-share-table");
+  const shown = (await preview.textContent()) ?? "";
+  const line = ["score", "set", "--means", "--published", "--bold", "--digits", "2", "--measures", "DSC,PPV,TPR", "--format", "latex"];
+  const theirs = execFileSync(process.execPath, [join(ROOT, "bin/fit4cad.mjs"), ...line], { cwd: dirname(folder), encoding: "utf8" });
+  const { bytes } = await save(page, "Save LaTeX");
+  expect(bytes.toString()).toBe(theirs);
+  // The preview is the same but for the files, which are hashed when a table is saved.
+  expect(shown).toBe(theirs.replace(/^% (?:[0-9a-f]{64}) .*\n/gm, ""));
+  await page.getByRole("combobox", { name: "Preview of" }).selectOption("CSV");
+  await expect(preview).toContainText(/^method,protocol,models,DSC,PPV,TPR,type_errors,engine\r?\n(?:.*\r?\n)*MINE,definition,1,/);
+  await page.getByRole("button", { name: "Copy Markdown" }).click();
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("| HT \\(published\\) | 1 | 0.99 | 0.98 | ");
 });
 
 test("a submission comes as a zip of its own files, which score the same", async ({ page }) => {

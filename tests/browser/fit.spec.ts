@@ -50,6 +50,20 @@ for (const method of ["HT", "PG"] as const) {
   });
 }
 
+test("how long a fit takes is told before it begins, and better after the first one here", async ({ page }) => {
+  await open(page);
+  await dropModels(page, ["PC1", "PC2", "PC3"], 0.03);
+  const panel = await openFit(page);
+  const outlook = panel.getByTestId("fit-outlook");
+  await expect(outlook).toHaveText(/^[\d,]+ points take (?:under|up to) \d+ s, on an ordinary computer; the more noise, the longer\. All 3 models: .*\d s\.$/);
+  await panel.getByRole("button", { name: "Fit PC1", exact: true }).click();
+  await expect(fits(page)).toContainText(/\d\.\d{4}/, FITTED);
+  await expect(outlook).toContainText(", by 1 fit with HT done here;");
+  await picture(page, "fit-outlook");
+  await choose(panel, "PG");
+  await expect(outlook).toContainText(", on an ordinary computer;");
+});
+
 test("a parameter changed is heeded, shown as changed, and reset alone or with all others", async ({ page }) => {
   await open(page);
   const panel = await openFit(page);

@@ -6,7 +6,8 @@ import { csv } from "../../www/shared/formats/csv.mjs";
 import { FORMATS } from "../../www/shared/formats/index.mjs";
 import { latex } from "../../www/shared/formats/latex.mjs";
 import { markdown } from "../../www/shared/formats/markdown.mjs";
-import { scoresOf } from "../../www/shared/formats/measures.mjs";
+import { MEASURES, scoresOf } from "../../www/shared/formats/measures.mjs";
+import { withPublished } from "../../www/shared/formats/published-rows.mjs";
 import { table } from "../../www/shared/formats/table.mjs";
 import { fit4cad, folder, submitted } from "./support.mjs";
 
@@ -35,6 +36,14 @@ const engine = await loadEngine();
  * @param {any[]} results
  */
 const written = (format, results) => format(results, engine.summarise(scoresOf(results)));
+
+/**
+ * The same, of what is wanted alone.
+ * @param {(results: any[], summaries: readonly import("../../bin/engine/engine.js").MethodSummary[], wanted: import("../../www/shared/formats/wanted.mjs").Wanted) => string} format
+ * @param {any[]} results
+ * @param {Partial<import("../../www/shared/formats/wanted.mjs").Wanted>} change
+ */
+const asked = (format, results, change) => format(results, engine.summarise(scoresOf(results)), { means: false, measures: MEASURES, bold: false, ...change });
 
 test("every export carries the engine's version, the protocol and the hash of each file", (t) => {
   const files = submitted("PC1", "MINE");
@@ -98,4 +107,96 @@ test("means leave out the models that lack a measure, and are n/a where all do",
   const last = (written(table, results).trimEnd().split("\n").at(-1) ?? "").split(/ {2,}/);
   assert.deepEqual(last.slice(0, 3), ["mean of 2", "MINE", "0.2500"]);
   assert.deepEqual(last.slice(-2), ["n/a", "4"]);
+});
+
+test("the best of a model, and the best mean, is bold by what the measure declares; what reads alike is alike", () => {
+  const theirs = { method: "THEIRS", mean: { ...MEAN, DSC: 0.5, MFE: 0.0011, TNR: 0.99999 } };
+  const results = [result(), result(theirs), result({ model: "PC2" }), result({ ...theirs, model: "PC2" })];
+  const lines = asked(latex, results, { bold: true, measures: ["DSC", "TNR", "MFE", "d1"] }).split("\n");
+  assert.ok(lines.includes("  PC 1 & MINE & $7{,}500$ & $8$ & $9$ & $0.250$ & $\\mathbf{1.000}$ & $\\mathbf{0.001}$ & n/a \\\\"));
+  assert.ok(lines.includes("   & THEIRS & $7{,}500$ & $8$ & $9$ & $\\mathbf{0.500}$ & $\\mathbf{1.000}$ & $\\mathbf{0.001}$ & n/a \\\\"));
+  assert.ok(lines.includes("  Mean of 2 & THEIRS &  &  &  & $\\mathbf{0.500}$ & $\\mathbf{1.000}$ & $\\mathbf{0.001}$ & n/a \\\\"));
+  const more = asked(markdown, results, { bold: true, measures: ["DSC", "MFE"] }).split("\n");
+  assert.equal(more[2], "| PC1 | MINE | 7500 | 8 | 9 | 0.2500 | **0.0010** | 2 |");
+  assert.equal(more[3], "| PC1 | THEIRS | 7500 | 8 | 9 | **0.5000** | 0.0011 | 2 |");
+  assert.equal(more[6], "| Mean of 2 | MINE |  |  |  | 0.2500 | **0.0010** | 4 |");
+  // One method alone is no best.
+  assert.ok(!asked(latex, [result()], { bold: true }).includes("mathbf"));
+});
+
+test("means alone are of every method, also of a single model", () => {
+  const results = [result(), result({ model: "PC2" }), result({ method: "THEIRS" })];
+  const chosen = { means: true, measures: /** @type {const} */ (["DSC", "MFE"]), digits: 2 };
+  assert.deepEqual(asked(csv, results, { ...chosen, digits: undefined }).split("\r\n").slice(0, 3), [
+    "method,protocol,models,DSC,MFE,type_errors,engine",
+    "MINE,definition,2,0.25,0.001,4,0.1.0",
+    "THEIRS,definition,1,0.25,0.001,2,0.1.0",
+  ]);
+  assert.deepEqual(asked(markdown, results, chosen).split("\n").slice(0, 3), [
+    "| Method | Models | DSC | MFE | Type errors |",
+    "| --- | ---: | ---: | ---: | ---: |",
+    "| MINE | 2 | 0.25 | 1.0e-3 | 4 |",
+  ]);
+  assert.equal(asked(table, results, chosen), "method  models   DSC   MFE  type errors\nMINE         2  0.25  0.00            4\nTHEIRS       1  0.25  0.00            2\n");
+  const lines = asked(latex, results, chosen).split("\n");
+  assert.ok(lines.includes("\\begin{tabular}{lrrr}"));
+  assert.ok(lines.includes("  MINE & $2$ & $0.25$ & $1.0\\times10^{-3}$ \\\\"));
+});
+
+test("what so many digits would show as nought is a power of ten, and nought stays nought", () => {
+  const small = result({ mean: { ...MEAN, MFE: 0.0000321, dHaus: 0, d1: -0.0004 } });
+  assert.match(written(latex, [small]), /\$3\.2\\times10\^\{-5\}\$ & \$0\.000\$ & \$-4\.0\\times10\^\{-4\}\$/);
+  assert.match(asked(markdown, [small], { digits: 5 }), /\| 0\.00003 \| 0\.00000 \| -0\.00040 \|/);
+  assert.match(asked(csv, [small], { digits: 4 }), /,3\.2e-5,0\.0000,-0\.0004,/);
+});
+
+test("a LaTeX table of more rows than a page has goes on over pages, its head on each", () => {
+  const results = Array.from({ length: 41 }, (_, at) => result({ model: `PC${at}` }));
+  const lines = written(latex, results.slice(0, 39)).split("\n");
+  assert.ok(lines.includes("\\end{tabular}") && !lines[0]?.includes("longtable"));
+  const long = written(latex, results).split("\n");
+  assert.match(long[0] ?? "", /\\usepackage\{longtable\}/);
+  const start = long.indexOf("\\begin{longtable}{llrrrrrrrrrrrr}");
+  assert.equal(long[start + 1], "  \\toprule");
+  assert.deepEqual(long.slice(start + 3, start + 7), ["  \\midrule", "  \\endhead", "  \\bottomrule", "  \\endfoot"]);
+  assert.deepEqual(long.slice(-4, -2), ["  \\midrule", long.at(-3)]);
+  assert.equal(long.at(-2), "\\end{longtable}");
+});
+
+test("the published methods stand beside what was found on a test model, and on no other", () => {
+  const rows = withPublished([result(), result({ method: "HT (published)" }), result({ model: "PC2" })]);
+  assert.deepEqual(rows.map(({ model, method }) => [model, method]), [
+    ["PC1", "MINE"],
+    ["PC1", "HT (published)"],
+    // No name is given twice.
+    ["PC1", "HT (published)*"],
+    ["PC1", "PG (published)"],
+    // Named like a test model, but of other points.
+    ["PC2", "MINE"],
+  ]);
+  const published = withPublished([result()]);
+  const text = written(markdown, published);
+  assert.match(text, /\| PC1 \| HT \\\(published\\\) \| 7500 \| 8 \|  \| 0\.9866 \|.*\|  \|\n/);
+  assert.match(text, /\| PC1 \| PG \\\(published\\\) .* n\/a \| n\/a \| n\/a \|  \|\n/);
+  assert.match(text, /HT \\\(published\\\)\\: the published result files, scored by protocol definition\.\n/);
+  assert.match(asked(csv, published, { means: true, measures: ["DSC"] }), /\r\nHT \(published\),definition,1,0\.986624,,\r\n/);
+});
+
+test("the command line heeds what is wanted of a table, and says where it cannot", (t) => {
+  const root = folder(t, submitted("PC1", "MINE"));
+  const { code, out } = fit4cad("score", root, "--means", "--measures", "DSC,MFE", "--digits", "2", "--format", "markdown");
+  assert.equal(code, 0);
+  assert.match(out, /^\| Method \| Models \| DSC \| MFE \| Type errors \|\n.*\n\| MINE \| 1 \| \d\.\d\d \|/);
+  for (const [args, said] of /** @type {[string[], RegExp][]} */ ([
+    [["--bold"], /--bold: for --format latex or markdown; table has no bold figures/],
+    [["--means", "--digits", "2", "--json"], /--means, --digits: for tables; --format json has everything/],
+    [["--digits", "13"], /--digits 13: expected a whole number from 0 to 12/],
+    [["--measures", "DSC,residual"], /--measures residual: expected DSC, /],
+    [["--protocol", "spfn", "--means"], /--means: for the benchmark's own measures/],
+  ])) {
+    const failed = fit4cad("score", root, ...args);
+    assert.equal(failed.code, 2);
+    assert.match(`${failed.err}${failed.out}`, said);
+  }
+  assert.match(fit4cad("score", root, "--published").err, /--published adds nothing: no model is one of the 35 test models/);
 });

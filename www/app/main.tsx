@@ -3,7 +3,6 @@ import { listenForDrops } from "./intake/dropzone";
 import { listen } from "./keyboard/shortcuts";
 import { keepForOfflineLater } from "./offline/register";
 import { followScores } from "./scores/means";
-import { hashForLink } from "./sharing/opened";
 import { heedAddress } from "./sharing/share";
 import { App } from "./shell/app";
 import { openFirst, openNamed } from "./shell/opening";
@@ -29,7 +28,6 @@ const RUNNING = [
   scoreWaiting,
   followScores,
   openSelected,
-  hashForLink,
 ];
 
 const embedded = new URLSearchParams(location.search).get("embed");

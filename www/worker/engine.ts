@@ -2,7 +2,7 @@
 // It starts as the scorer; the whole engine, with the fitters, is fetched when it is first asked for.
 
 import * as Comlink from "comlink";
-import init, { Model, compare, datasetStatistics, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
+import init, { Model, compare, group, oneLines, pathOf, summarise, version } from "../generated/scorer/scorer.js";
 import type { Model as WholeModel } from "../generated/engine/engine.js";
 import { comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
 import { EXPORT_COLOURS } from "../shared/palette.mjs";
@@ -42,17 +42,27 @@ function wholeEngine(): ReturnType<typeof fetchWhole> {
 
 const PACE_MS = 80;
 
-let held: { key: string; model: Model } | undefined;
+let held: { key: string; model: Model; whole: WholeModel | undefined } | undefined;
 
 async function read(source: ModelSource, onRead?: OnRead): Promise<Model> {
   await ready;
   if (held?.key === source.key) return held.model;
   letGo();
-  const model = await wholly(source, onRead);
+  const { model, whole } = await wholly(source, onRead);
   // Another may have been read while the whole engine was fetched.
   letGo();
-  held = { key: source.key, model };
+  held = { key: source.key, model, whole };
   return model;
+}
+
+/** Read by the whole engine, for what the scorer cannot do; from then on it is the one held. */
+async function readWholly(source: ModelSource): Promise<WholeModel> {
+  const engine = await wholeEngine();
+  if (held?.key === source.key && held.whole) return held.whole;
+  letGo();
+  const whole = modelOf(engine.Model, source.name, source.files);
+  held = { key: source.key, model: whole as unknown as Model, whole };
+  return whole;
 }
 
 function letGo(): void {
@@ -60,25 +70,13 @@ function letGo(): void {
   held = undefined;
 }
 
-let heldWhole: { key: string; model: WholeModel } | undefined;
-
-/** The model as the whole engine has it, kept as well: a section follows the hand. */
-async function readWhole(source: ModelSource): Promise<WholeModel> {
-  const whole = await wholeEngine();
-  if (heldWhole?.key !== source.key) {
-    heldWhole?.model.free();
-    heldWhole = undefined;
-    heldWhole = { key: source.key, model: modelOf(whole.Model, source.name, source.files) };
-  }
-  return heldWhole.model;
-}
-
 /** Read by the whole engine where the scorer leaves something to it. */
-async function wholly({ name, files }: ModelSource, onRead?: OnRead): Promise<Model> {
+async function wholly({ name, files }: ModelSource, onRead?: OnRead): Promise<{ model: Model; whole: WholeModel | undefined }> {
   const model = modelOf(Model, name, files, onRead);
-  if (!model.wantsWhole()) return model;
+  if (!model.wantsWhole()) return { model, whole: undefined };
   model.free();
-  return modelOf((await wholeEngine()).Model, name, files, onRead);
+  const whole = modelOf((await wholeEngine()).Model, name, files, onRead);
+  return { model: whole as unknown as Model, whole };
 }
 
 function segmentation(model: Model, method?: string): SegmentationScene {
@@ -153,7 +151,7 @@ const worker: EngineWorker = {
   },
 
   async section(source, method, axis, share, thickness) {
-    return (await readWhole(source)).section(axis, share, thickness, method);
+    return (await readWholly(source)).section(axis, share, thickness, method);
   },
 
   async summarise(scores) {
@@ -283,7 +281,7 @@ const worker: EngineWorker = {
   },
 
   async patch(source, place, method) {
-    return (await read(source)).patch(place, method);
+    return (await readWholly(source)).patch(place, method);
   },
 
   async audit(source) {
@@ -305,12 +303,11 @@ const worker: EngineWorker = {
   },
 
   async statistics(source) {
-    return (await read(source)).statistics();
+    return (await readWholly(source)).statistics();
   },
 
   async datasetStatistics(models) {
-    await ready;
-    return datasetStatistics([...models]);
+    return (await wholeEngine()).datasetStatistics([...models]);
   },
 
   async write(source, method) {

@@ -30,8 +30,10 @@ mod keys;
 #[cfg(feature = "workshop")]
 mod lesson;
 mod lists;
+#[cfg(feature = "workshop")]
 mod look;
 mod model;
+mod normals;
 mod outcome;
 mod part;
 mod paths;
@@ -43,6 +45,7 @@ mod report;
 mod section;
 #[cfg(feature = "workshop")]
 mod single;
+#[cfg(feature = "workshop")]
 mod statistics;
 mod stop;
 #[cfg(feature = "workshop")]
@@ -82,6 +85,7 @@ pub use lesson::hough::{
 #[cfg(feature = "workshop")]
 pub use lesson::painting::{CountsInfo, PaintedScore};
 pub use lists::PointLists;
+#[cfg(feature = "workshop")]
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
 pub use outcome::{Counted, Histogram};
@@ -97,6 +101,7 @@ pub use report::{
 pub use section::{CurveInfo, SectionInfo};
 #[cfg(feature = "workshop")]
 pub use single::{SingleInfo, Singles, VerdictInfo};
+#[cfg(feature = "workshop")]
 pub use statistics::{
     DatasetStatistics, ModelStatistics, Spread, TypeShares, Types, dataset_statistics,
 };

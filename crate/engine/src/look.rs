@@ -1,6 +1,5 @@
-//! What a view draws besides points and labels: normals, and the patches of fitted surfaces.
+//! What a view draws besides points and labels: the patches of fitted surfaces.
 
-use fit4cad::cloud::normals::estimate_normals;
 use fit4cad::cloud::{Point, Vector};
 use fit4cad::surface::patch::Patch;
 use js_sys::{Float32Array, Uint8Array, Uint32Array};
@@ -11,10 +10,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::hand_over;
 use crate::model::Model;
-
-/// How many neighbours say which way the surface faces: enough to average rounded coordinates, few
-/// enough to stay on one side of an edge.
-const NEIGHBOURS: usize = 12;
 
 /// The part of a surface that its points cover, relative to [`Model::centre`].
 #[derive(Debug, Clone, Serialize, Tsify)]
@@ -65,14 +60,6 @@ fn flat(vector: &Vector) -> [f32; 3] {
 
 #[wasm_bindgen]
 impl Model {
-    /// Unit normals of the points, x y z after one another, estimated from each point's
-    /// neighbours. Their sign means nothing. O(n log n).
-    pub fn normals(&self) -> Float32Array {
-        let normals = estimate_normals(self.model.cloud.points(), NEIGHBOURS);
-        let components: Vec<f32> = normals.iter().flat_map(|normal| flat(normal)).collect();
-        Float32Array::from(components.as_slice())
-    }
-
     /// The patch of a primitive's surface that its points cover. The primitive is given by its
     /// place, counted from 0, in [`Model::primitives`]. Nothing where it has no surface or no
     /// points.

@@ -29,5 +29,6 @@ pub mod metrics;
 pub mod model;
 pub mod random;
 pub mod sample;
+mod sorting;
 pub mod statistics;
 pub mod surface;

@@ -68,6 +68,7 @@ mod _engine {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("PUBLISHED", fit4cad::metrics::PUBLISHED)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

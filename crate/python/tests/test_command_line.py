@@ -105,6 +105,35 @@ def test_scores_in_every_format(both, scored, form):
     both("score", scored, "--self", "--protocol", "published", "--format", form)
 
 
+@pytest.mark.parametrize("form", ["table", "csv", "latex", "markdown"])
+def test_tables_for_a_paper(both, scored, form):
+    bold = ["--bold"] if form in ("latex", "markdown") else []
+    both("score", scored, "--means", "--digits", "2", *bold, "--format", form)
+    both("score", scored, "--measures", "DSC,MFE,d1", "--digits", "12", *bold, "--format", form)
+    both("score", scored, "--digits", "1", "--published", *bold, "--protocol", "published", "--format", form)
+
+
+@pytest.mark.parametrize("form", ["table", "csv", "latex", "markdown"])
+def test_published_rows(both, tmp_path, form):
+    """Of a model with the counts of PC1, and of so many others that a LaTeX table takes more than a page."""
+    for name in ("PC1", *(f"PC{number}" for number in range(100, 120))):
+        count = 7500 if name == "PC1" else 800
+        points = [(at % 31, at // 31 % 31, at % 8) for at in range(count)]
+        for path, rows in (
+            (f"{name}.xyz", [" ".join(map(str, point)) for point in points]),
+            (f"{name}_labels.txt", [str(at % 8) for at in range(count)]),
+            (f"MINE/{name}_labels.txt", [str(-1 if at % 5 == 0 else at % 8) for at in range(count)]),
+            (f"HT (published)/{name}_labels.txt", [str(at % 8 // 2) for at in range(count)]),
+        ):
+            file = tmp_path / "set" / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text("\n".join(rows))
+    bold = ["--bold"] if form in ("latex", "markdown") else []
+    said = both("score", tmp_path / "set", "--published", *bold, "--format", form)
+    assert "PG (published)" in said.replace("\\", "")
+    both("score", tmp_path / "set", "--published", "--means", *bold, "--format", form)
+
+
 @pytest.mark.parametrize("form", ["table", "csv", "latex", "markdown", "json"])
 def test_the_protocols_of_the_field_in_every_format(both, scored, form):
     written = ["--json"] if form == "json" else ["--format", form]
@@ -234,6 +263,13 @@ def test_models_of_step_files(both, steps):
         ["score", "x", "--measures", "all", "--epsilon", "-1"],
         ["score", "x", "--by", "colour"],
         ["score", "x", "--format", "yaml"],
+        ["score", "x", "--bold"],
+        ["score", "x", "--bold", "--format", "csv"],
+        ["score", "x", "--means", "--measures", "DSC", "--json"],
+        ["score", "x", "--digits", "2.5"],
+        ["score", "x", "--measures", "DSC,residual"],
+        ["score", "x", "--measures", "DSC", "--protocol", "spfn"],
+        ["score", "x", "--protocol", "spfn", "--published", "--digits", "3"],
         ["score", "x", "--json", "--format", "csv"],
         ["score", "x", "--jobs", "-1"],
         ["score", "x", "--as", "role=clod:x"],

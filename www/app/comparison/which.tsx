@@ -4,8 +4,9 @@ import type { JSX } from "preact";
 import type { Signal } from "@preact/signals";
 import * as format from "../ui/format";
 import { Seen } from "../ui/seen";
-import type { Candidate, Match, Said } from "./match";
-import { TEST_MODELS } from "./published";
+import { TEST_MODELS } from "../../shared/published/figures.mjs";
+import type { Match, Said } from "../../shared/published/match.mjs";
+import type { Candidate } from "./candidate";
 
 interface Props {
   readonly candidates: readonly Candidate[];

@@ -7,7 +7,7 @@ import { startWorker } from "./own-script";
 import { WorkerPool } from "./pool";
 
 /** One core is left to the page itself; more than eight workers only cost memory. */
-const WORKERS = Math.min(8, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
+export const WORKERS = Math.min(8, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
 
 const start = (name: string) => startWorker(script, name);
 

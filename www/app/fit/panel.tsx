@@ -7,6 +7,7 @@ import { modelById, models, type ModelEntry } from "../state/models";
 import { selectedModel } from "../state/selection";
 import * as format from "../ui/format";
 import { capitalised } from "../ui/format";
+import { Outlook } from "./outlook";
 import { Parameter } from "./parameter";
 import { Results } from "./results";
 import {
@@ -49,6 +50,7 @@ export default function FitPanel(): JSX.Element {
       >
         <Choice />
         <Run />
+        <Outlook />
         <div class="parameters" key={method.value}>
           {fitter.value?.parameters.map((info) => (
             <Parameter key={info.name} info={info} value={valueOf(info.name)} onChange={(value) => setParameter(info.name, value)} />

@@ -1,5 +1,6 @@
 // The public models: which there are, and where the public repository keeps their files.
 
+import type { PublishedMethod } from "../../shared/published/methods.mjs";
 import { SEGMENTATION } from "../../shared/roles.mjs";
 import type { PublicModel, SetName } from "../state/origin";
 
@@ -27,9 +28,6 @@ export interface PublicFile {
 
 type Role = (typeof SEGMENTATION)[number];
 
-/** The methods whose results for the test set the public repository has. */
-export const PUBLISHED_METHODS = ["HT", "PG"] as const;
-export type PublishedMethod = (typeof PUBLISHED_METHODS)[number];
 const RESULTS: readonly { readonly method: PublishedMethod; readonly roles: readonly Role[] }[] = [
   { method: "HT", roles: SEGMENTATION },
   // Published as segmentations alone, without surfaces.

@@ -1,12 +1,11 @@
 // How the claims of the link stand, beside the panel's title.
 
 import type { JSX } from "preact";
-import { judged, tally } from "./opened";
 import { Icon } from "../ui/icon";
+import { standing } from "./state";
 
 export function sharedBadge(): JSX.Element | null {
-  const { verified, differs } = tally.value;
-  const all = judged.value.length;
+  const { all, verified, differs } = standing.value;
   if (differs > 0) {
     return (
       <span class="badge error">

@@ -5,13 +5,14 @@ import { goToPanel } from "../state/panels";
 import { plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { wordsOf } from "./basis";
-import { closeLink, engineHere, isLinkOpen, judged, opened, SHARED_PANEL, tally } from "./opened";
+import { judged, tally } from "./opened";
 import { workOf } from "./plan";
-import { failed, fitsOf, rebuild, rebuilding, recomputingOf, restOf, stopRebuilding, type Recomputing } from "./rebuild";
+import { failed, fitsOf, rebuild, recomputingOf, restOf, type Recomputing } from "./rebuild";
 import type { SharedResults } from "./shared";
+import { closeLink, engineHere, isLinkOpen, opened, rebuilding, SHARED_PANEL, stopRebuilding } from "./state";
 import { versionWords } from "./version";
 
-export function SharedBanner(): JSX.Element | null {
+export default function Banner(): JSX.Element | null {
   const state = opened.value;
   if (state.kind === "none") return null;
   if (state.kind === "damaged") {

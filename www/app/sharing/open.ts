@@ -7,10 +7,11 @@ import { lend, protocol } from "../state/settings";
 import { readFragment } from "./codec/link";
 import * as view from "./kinds/view";
 import { look } from "./looking";
-import { engineHere, opened, SHARED_PANEL } from "./opened";
+import { followLink } from "./opened";
 import { unaskedOf } from "./plan";
-import { entryOf, rebuild, stopRebuilding } from "./rebuild";
+import { entryOf, rebuild } from "./rebuild";
 import type { SharedResults } from "./shared";
+import { engineHere, opened, SHARED_PANEL, stopRebuilding } from "./state";
 
 /** Opens what the fragment holds; false where it is damaged, which the page then says. */
 export async function openLink(fragment: string): Promise<boolean> {
@@ -22,6 +23,7 @@ export async function openLink(fragment: string): Promise<boolean> {
     opened.value = { kind: "damaged", message: error instanceof Error ? error.message : String(error) };
     return false;
   }
+  followLink();
   void engineVersion().then((version) => (engineHere.value = version));
   batch(() => {
     opened.value = { kind: "shared", results };

@@ -1,31 +1,12 @@
-// The link the page was opened with, and how far what is on the page bears it out.
+// How far what is on the page bears out the link it was opened with.
 
 import { computed, effect, signal } from "@preact/signals";
 import { paced } from "../engine/pace";
 import { models, scoredRows, type ScoredRow } from "../state/models";
-import { takeBack } from "../state/settings";
 import { candidateOf } from "./candidates";
 import { evidenceOf, type Evidence } from "./fingerprints";
-import { isShared } from "../state/fragment";
 import { judgeAll, type Candidate, type JudgedClaim, type Verdict } from "./judge";
-import type { SharedResults } from "./shared";
-
-export type Opened =
-  | { readonly kind: "none" }
-  | { readonly kind: "damaged"; readonly message: string }
-  | { readonly kind: "shared"; readonly results: SharedResults };
-
-export const opened = signal<Opened>({ kind: "none" });
-
-/** Version of the engine on this page, once a link has asked for it. */
-export const engineHere = signal<string | undefined>(undefined);
-
-/** The panel that shows the claims of the link. */
-export const SHARED_PANEL = "shared";
-
-export function isLinkOpen(): boolean {
-  return opened.value.kind === "shared";
-}
+import { opened, standing } from "./state";
 
 /** Nothing where hashing failed. */
 const evidence = signal<ReadonlyMap<string, Evidence | undefined>>(new Map());
@@ -47,9 +28,20 @@ function nameOf({ entry, reports }: ScoredRow): string {
   return `${entry.source.key}\n${reports.method}`;
 }
 
-/** Hashes what is on the page while a link is open, until the result is called. It costs time, so it waits for a link that asks for it. */
-export function hashForLink(): () => void {
-  return effect(hash);
+let following = false;
+
+/**
+ * From the first link on, as long as the page is open: hashes what is on the page while a link is, which costs time, and has the
+ * panel's title tell how it stands.
+ */
+export function followLink(): void {
+  if (following) return;
+  following = true;
+  effect(hash);
+  effect(() => {
+    const { verified, differs } = tally.value;
+    standing.value = { all: judged.value.length, verified, differs };
+  });
 }
 
 function hash(): void {
@@ -101,11 +93,4 @@ export function tallyOf(rows: readonly JudgedClaim[]): Readonly<Record<Verdict["
   };
   for (const { verdict } of rows) counts[verdict.kind] += 1;
   return counts;
-}
-
-/** Takes the link, and the settings it came with, off the page and out of the address. The models stay. */
-export function closeLink(): void {
-  opened.value = { kind: "none" };
-  takeBack();
-  if (isShared(location.hash)) history.replaceState(null, "", `${location.pathname}${location.search}`);
 }

@@ -15,8 +15,9 @@ import { Table, type Column } from "../ui/table";
 import { VerdictMark } from "./mark";
 import type { JudgedClaim } from "./judge";
 import type { Difference, Figure } from "./kinds/figures";
-import { judged, opened, tallyOf } from "./opened";
+import { judged, tallyOf } from "./opened";
 import { entryOf, failed, fitsOf } from "./rebuild";
+import { opened } from "./state";
 import { versionWords } from "./version";
 
 function differenceIn({ verdict }: JudgedClaim, figure: Figure): Difference | undefined {

@@ -2,7 +2,7 @@
 // stop ends all of it.
 
 import { computed, effect, signal } from "@preact/signals";
-import { PUBLISHED_METHODS } from "../public/catalogue";
+import { PUBLISHED_METHODS } from "../../shared/published/methods.mjs";
 import { models, type ModelEntry } from "../state/models";
 import { notify } from "../state/notices";
 import type { JudgedClaim } from "./judge";
@@ -13,6 +13,7 @@ import { judged, judging } from "./opened";
 import { named } from "./names";
 import { isRebuildable, UNASKED_LIMIT_SECONDS, type Wanted } from "./plan";
 import type { Claim, SharedModel, SharedResults } from "./shared";
+import { rebuilding, stopRebuilding, type Rebuilding } from "./state";
 import { thisPage } from "./this-page";
 
 /** The model on the page that a link speaks of. */
@@ -61,15 +62,6 @@ function absentAmong(shared: readonly SharedModel[], places: readonly number[]):
   });
 }
 
-/** What is being had again just now. */
-export interface Rebuilding {
-  /** Claims whose figures are awaited. */
-  readonly awaited: ReadonlySet<Claim>;
-  readonly stop: () => void;
-}
-
-export const rebuilding = signal<Rebuilding | undefined>(undefined);
-
 /** Why the fits of claims failed here. */
 const failures = signal<ReadonlyMap<Claim, string>>(new Map());
 
@@ -102,11 +94,6 @@ export const failed = computed<readonly Failure[]>(() => {
 export function fitsOf({ rows: [first, ...others] }: Failure): string {
   const more = others.length > 0 ? ` and ${others.length} more` : "";
   return first ? `${named(first.claim.method)} of ${named(first.model.name)}${more}` : "";
-}
-
-/** Ends the making of samples, the download and the fits that a link asked for. What is here stays. */
-export function stopRebuilding(): void {
-  rebuilding.peek()?.stop();
 }
 
 /**

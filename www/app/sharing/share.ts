@@ -1,7 +1,7 @@
 // What can be opened from anywhere: the sheet to share and export, and the link in the address.
 
 import { signal } from "@preact/signals";
-import { opened } from "./opened";
+import { opened } from "./state";
 import { isShared } from "../state/fragment";
 
 /** Whether the sheet is shown. */

@@ -8,7 +8,7 @@ import { DropZone } from "../intake/dropzone";
 import { KeyDialog } from "../keyboard/dialog";
 import { PictureDialog } from "../picture/dialog";
 import { ProtocolDialog } from "../measures/protocol-dialog";
-import { SharedBanner } from "../sharing/banner";
+import { SharedBanner } from "../sharing/banner-place";
 import { ShareDialog } from "../sharing/dialog";
 import { HOME, page } from "../state/router";
 import { Lazy } from "../ui/lazy";

@@ -5,7 +5,7 @@ import { keysShown } from "../keyboard/shown";
 import type { ShortcutGroup } from "../keyboard/shortcuts";
 import { focusSearch } from "../models/list";
 import { toggleProtocol } from "../measures/protocol-switch";
-import { stopRebuilding } from "../sharing/rebuild";
+import { stopRebuilding } from "../sharing/state";
 import { sharing } from "../sharing/share";
 import { currentView, picturing } from "../stage/current";
 import { takeBrushBack } from "../stage/brush";

@@ -7,7 +7,7 @@ import { FittingWork } from "../fit/status";
 import { DownloadProgress } from "../public/progress";
 import { taking } from "../intake/intake";
 import { importing } from "../intake/step";
-import { rebuilding } from "../sharing/rebuild";
+import { rebuilding } from "../sharing/state";
 import { dismiss, notice } from "../state/notices";
 import { cancelScoring, progress, reading, type Progress } from "../state/scoring";
 import { duration, integer } from "../ui/format";

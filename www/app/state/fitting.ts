@@ -10,7 +10,7 @@ import { plural } from "../ui/format";
 import { without } from "./content";
 import { addSubmission } from "./contents";
 import { isMadeHere } from "./made";
-import { modelById } from "./models";
+import { modelById, pointsOf } from "./models";
 import { notify } from "./notices";
 import { selectedModel, selectModel } from "./selection";
 
@@ -69,6 +69,19 @@ export function titleOf(method: FitRequest["method"]): string {
 
 /** The run under way, or the last one. */
 export const fitRun = signal<FitRun | undefined>(undefined);
+
+/** How long a fit took. */
+export interface FitDone {
+  readonly method: FitRequest["method"];
+  readonly model: string;
+  readonly points: number;
+  /** Of fitting, without reading. */
+  readonly seconds: number;
+}
+
+/** The fits done since the page was opened that tell how long another may take, the last of them last. */
+export const fitsDone = signal<readonly FitDone[]>([]);
+const MOST_REMEMBERED = 100;
 
 /** How much of a fit is done, 0 to 1. */
 export function shareDone(state: FitState): number {
@@ -158,6 +171,7 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
     const result = await engine.run((api) => api.fit(source, request, onStage), { signal, urgency });
     batch(() => {
       fit.state.value = { kind: "done", result };
+      remember(id, request.method, result.seconds);
       madeWith.set(settings, result.method);
       addSubmission(id, result.method, result.files, request);
       if (!quiet && id === selectedModel.peek()) selectModel(id, result.method);
@@ -166,6 +180,12 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
     const message = error instanceof Error ? error.message : String(error);
     fit.state.value = signal.aborted ? { kind: "stopped" } : { kind: "failed", message };
   }
+}
+
+function remember(model: string, method: FitRequest["method"], seconds: number): void {
+  const points = pointsOf(modelById(model));
+  if (points === undefined) return;
+  fitsDone.value = [...fitsDone.peek(), { method, model, points, seconds }].slice(-MOST_REMEMBERED);
 }
 
 export function tallyOf({ fits }: FitRun): FitTally {

@@ -39,6 +39,11 @@ export function modelById(id: string | undefined): ModelEntry | undefined {
   return id === undefined ? undefined : byId.value.get(id);
 }
 
+/** How many points its cloud has; undefined while that is not read. */
+export function pointsOf(entry: ModelEntry | undefined): number | undefined {
+  return entry?.status.kind === "scored" ? entry.status.result.info.points : undefined;
+}
+
 /** Whether the engine fitted the surfaces of a method, or of the truth, to segments that came without. */
 export function isFitted({ status }: ModelEntry, method: string | undefined): boolean {
   if (status.kind !== "scored") return false;

@@ -2,9 +2,10 @@
 // CSV (RFC 4180): one row per model and method.
 
 import { ROLES } from "../../generated/declared/roles.js";
-import { MEASURES } from "./measures.mjs";
+import { figure, linesOf } from "./lines.mjs";
+import { USUAL } from "./wanted.mjs";
 
-/** @typedef {import("./results.mjs").Result} Result */
+/** @typedef {import("./results.mjs").Row} Result */
 /** @typedef {import("./results.mjs").Role} Role */
 
 /** One column per file: whose it is, and what it holds. */
@@ -12,23 +13,34 @@ const FILES = /** @type {const} */ ([undefined, "truth", "method"]).flatMap((own
   ROLES.filter(({ name }) => (name === "cloud") === (owner === undefined)).map(({ name }) => ({ role: name, owner })),
 );
 
-const HEAD = [
-  ...["model", "method", "protocol", "points", "truth", "predicted"],
-  ...[...MEASURES, "type_errors", "engine"],
-  ...FILES.map(({ role, owner }) => [owner, role, "sha256"].filter(Boolean).join("_")),
-];
-
-/** @param {readonly Result[]} results */
-export function csv(results) {
-  const rows = results.map((result) => [
+/**
+ * @param {readonly Result[]} results
+ * @param {readonly import("./measures.mjs").MethodSummary[]} [summaries] the engine's, of the same results; for means alone
+ * @param {import("./wanted.mjs").Wanted} [wanted] figures are whole unless a number of digits is asked for
+ */
+export function csv(results, summaries = [], wanted = USUAL) {
+  const { measures, digits } = wanted;
+  const { models, means } = linesOf(results, summaries, wanted, (value) =>
+    value === null ? "" : digits === undefined ? String(value) : figure(value, digits),
+  );
+  if (wanted.means) {
+    const rows = means.map(({ method, models: count, figures, typeErrors }) => {
+      const own = results.find((result) => result.method === method);
+      const said = [own?.protocol ?? "", String(count), ...figures.map(({ text }) => text), typeErrors ?? "", guarded(own?.engine ?? "")];
+      return [guarded(method), ...said];
+    });
+    return csvText([["method", "protocol", "models", ...measures, "type_errors", "engine"], ...rows]);
+  }
+  const rows = results.map((result, at) => [
     ...[result.model, result.method, result.protocol].map(guarded),
-    ...[result.points, result.truth, result.predicted],
-    ...MEASURES.map((measure) => result.mean[measure] ?? ""),
-    result.type_errors,
+    ...[result.points, result.truth, result.predicted ?? ""],
+    ...(models[at]?.figures ?? []).map(({ text }) => text),
+    result.type_errors ?? "",
     guarded(result.engine),
     ...FILES.map(({ role, owner }) => hashOf(result, role, owner === "method")),
   ]);
-  return csvText([HEAD, ...rows]);
+  const files = FILES.map(({ role, owner }) => [owner, role, "sha256"].filter(Boolean).join("_"));
+  return csvText([["model", "method", "protocol", "points", "truth", "predicted", ...measures, "type_errors", "engine", ...files], ...rows]);
 }
 
 /**

@@ -13,12 +13,14 @@ import { table } from "./table.mjs";
  * @property {string} title
  * @property {string} what
  * @property {{ readonly type: string, readonly extension: string }} [file]
- * @property {(results: readonly import("./results.mjs").Result[], summaries: readonly import("./measures.mjs").MethodSummary[]) => string} write the summaries are the engine's, of the same results
+ * @property {(results: readonly import("./results.mjs").Row[], summaries: readonly import("./measures.mjs").MethodSummary[], wanted?: import("./wanted.mjs").Wanted) => string} write the summaries are the engine's, of the same results
+ * @property {boolean} [isTable] whether it heeds what is wanted
+ * @property {boolean} [hasBold] whether it can make a figure stand out
  */
 
 /** By the names that `--format` takes. */
 export const FORMATS = /** @satisfies {Readonly<Record<string, Format>>} */ ({
-  table: { title: "Table", what: "one aligned row per model and method", write: table },
+  table: { title: "Table", what: "one aligned row per model and method", isTable: true, write: table },
   json: {
     title: "JSON",
     what: "everything, down to each primitive and diagnostic",
@@ -29,18 +31,23 @@ export const FORMATS = /** @satisfies {Readonly<Record<string, Format>>} */ ({
     title: "CSV",
     what: "one row per model and method, for a spreadsheet",
     file: { type: "text/csv", extension: "csv" },
+    isTable: true,
     write: csv,
   },
   latex: {
     title: "LaTeX",
     what: "a booktabs table like the paper's",
     file: { type: "application/x-tex", extension: "tex" },
+    isTable: true,
+    hasBold: true,
     write: latex,
   },
   markdown: {
     title: "Markdown",
     what: "for a README or a discussion",
     file: { type: "text/markdown", extension: "md" },
+    isTable: true,
+    hasBold: true,
     write: markdown,
   },
 });

@@ -3,13 +3,14 @@
 
 import { oneLine } from "../text.mjs";
 import { MEASURES as DECLARED } from "../../generated/declared/measures.js";
-import { MEASURES, meanOf, ofSeveral } from "./measures.mjs";
+import { LONG, figure, linesOf } from "./lines.mjs";
 import { checksums, provenance } from "./results.mjs";
+import { USUAL } from "./wanted.mjs";
 
-/** @typedef {import("./measures.mjs").MethodSummary} MethodSummary */
-/** @typedef {import("./results.mjs").Result} Result */
-
+/** @typedef {import("./lines.mjs").Line} Line */
 /** @typedef {import("../../generated/engine/engine.js").Term} Term */
+
+const DIGITS = 3;
 
 /**
  * The symbol of a measure, in text: a name of several letters needs no formula.
@@ -49,50 +50,68 @@ function grouped(text) {
 }
 
 /**
- * @param {readonly Result[]} results
- * @param {readonly MethodSummary[]} summaries the engine's, of the same reports
+ * @param {readonly import("./results.mjs").Row[]} results
+ * @param {readonly import("./measures.mjs").MethodSummary[]} summaries the engine's, of the same results
+ * @param {import("./wanted.mjs").Wanted} [wanted]
  */
-export function latex(results, summaries) {
-  const columns = ["", "method", "\\# points", "\\# true", "\\# predicted"];
-  const head = [...columns, ...DECLARED.map(({ symbol }) => heading(symbol))];
+export function latex(results, summaries, wanted = USUAL) {
+  const { means: short, measures, digits = DIGITS } = wanted;
+  const { models, means } = linesOf(results, summaries, wanted, (value) => figure(value, digits));
+  const columns = short ? ["method", "\\# models"] : ["", "method", "\\# points", "\\# true", "\\# predicted"];
+  const head = row([...columns, ...DECLARED.filter(({ key }) => measures.includes(key)).map(({ symbol }) => heading(symbol))]);
+  const layout = `${short ? "lr" : "llrrr"}${"r".repeat(measures.length)}`;
+  const isLong = models.length + means.length > LONG;
+  const body = [
+    ...models.map((line, at) => row(cells(line, models[at - 1]?.model))),
+    ...(models.length > 0 && means.length > 0 ? ["  \\midrule"] : []),
+    ...means.map((line) => row(cells(line, short ? undefined : ""))),
+  ];
+  const packages = ["booktabs", ...(isLong ? ["longtable"] : []), "amsmath"].map((name) => `\\usepackage{${name}}`);
   const lines = [
-    "% Needs \\usepackage{booktabs} and \\usepackage{amsmath}.",
+    `% Needs ${packages.slice(0, -1).join(", ")} and ${packages.at(-1)}.`,
     ...[...provenance(results), ...checksums(results)].map((line) => `% ${line}`),
-    `\\begin{tabular}{ll${"r".repeat(head.length - 2)}}`,
-    "  \\toprule",
-    row(head),
-    "  \\midrule",
-    ...results.map((report, index) =>
-      row([
-        report.model === results[index - 1]?.model ? "" : escapedLatex(spaced(report.model)),
-        escapedLatex(report.method),
-        ...[report.points, report.truth, report.predicted].map(whole),
-        ...MEASURES.map((measure) => figure(report.mean[measure])),
-      ]),
-    ),
-    ...meanRows(summaries),
-    "  \\bottomrule",
-    "\\end{tabular}",
+    ...(isLong ? longTable(layout, head, body) : shortTable(layout, head, body)),
   ];
   return `${lines.join("\n")}\n`;
 }
 
-/** @param {readonly MethodSummary[]} summaries */
-function meanRows(summaries) {
-  const rows = ofSeveral(summaries).map((summary) =>
-    row([
-      `Mean of ${summary.models}`,
-      escapedLatex(summary.method),
-      ...["", "", ""],
-      ...MEASURES.map((measure) => figure(meanOf(summary, measure))),
-    ]),
-  );
-  return rows.length > 0 ? ["  \\midrule", ...rows] : [];
+/**
+ * @param {string} layout
+ * @param {string} head
+ * @param {readonly string[]} body
+ */
+function shortTable(layout, head, body) {
+  return [`\\begin{tabular}{${layout}}`, "  \\toprule", head, "  \\midrule", ...body, "  \\bottomrule", "\\end{tabular}"];
 }
 
-/** @param {readonly string[]} cells */
-function row(cells) {
-  return `  ${cells.join(" & ")} \\\\`;
+/**
+ * A table that goes on over pages, its head on each.
+ * @param {string} layout
+ * @param {string} head
+ * @param {readonly string[]} body
+ */
+function longTable(layout, head, body) {
+  const everyPage = ["  \\toprule", head, "  \\midrule", "  \\endhead", "  \\bottomrule", "  \\endfoot"];
+  return [`\\begin{longtable}{${layout}}`, ...everyPage, ...body, "\\end{longtable}"];
+}
+
+/**
+ * @param {Line} line
+ * @param {string | undefined} above the model of the line before
+ */
+function cells({ model, models, method, counts, figures }, above) {
+  const called = escapedLatex(method);
+  const labels = counts
+    ? [model === above ? "" : escapedLatex(spaced(model)), called, ...counts.map((count) => (count === null ? "" : whole(count)))]
+    : above === undefined
+      ? [called, whole(models)]
+      : [`Mean of ${models}`, called, "", "", ""];
+  return [...labels, ...figures.map(written)];
+}
+
+/** @param {readonly string[]} texts */
+function row(texts) {
+  return `  ${texts.join(" & ")} \\\\`;
 }
 
 /**
@@ -108,9 +127,13 @@ function whole(value) {
   return `$${String(value).replace(/\B(?=(\d{3})+$)/g, "{,}")}$`;
 }
 
-/** @param {number | null} value */
-function figure(value) {
-  return value === null ? "n/a" : `$${value.toFixed(3)}$`;
+/** @param {import("./lines.mjs").Cell} cell */
+function written({ text, best }) {
+  if (text === "n/a") {
+    return text;
+  }
+  const number = text.replace(/e([+-])(\d+)$/, (_, sign, power) => `\\times10^{${sign === "-" ? "-" : ""}${power}}`);
+  return best ? `$\\mathbf{${number}}$` : `$${number}$`;
 }
 
 /** @type {Readonly<Record<string, string>>} */

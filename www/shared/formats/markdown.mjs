@@ -2,30 +2,28 @@
 // Markdown: a table for a README or a discussion, then how to repeat it.
 
 import { oneLine } from "../text.mjs";
-import { MEASURES, meanOf, ofSeveral } from "./measures.mjs";
+import { figure, linesOf } from "./lines.mjs";
 import { checksums, provenance } from "./results.mjs";
+import { USUAL } from "./wanted.mjs";
 
-/** @typedef {import("./measures.mjs").MethodSummary} MethodSummary */
+/** @typedef {import("./lines.mjs").Line} Line */
 
-const TEXT = ["Model", "Method"];
-const COUNTS = ["Points", "True", "Predicted"];
-const HEAD = [...TEXT, ...COUNTS, ...MEASURES, "Type errors"];
+const DIGITS = 4;
 
 /**
- * @param {readonly import("./results.mjs").Result[]} results
- * @param {readonly MethodSummary[]} summaries the engine's, of the same reports
+ * @param {readonly import("./results.mjs").Row[]} results
+ * @param {readonly import("./measures.mjs").MethodSummary[]} summaries the engine's, of the same results
+ * @param {import("./wanted.mjs").Wanted} [wanted]
  */
-export function markdown(results, summaries) {
-  const rows = results.map((result) => [
-    ...[result.model, result.method].map(escapedMarkdown),
-    ...[result.points, result.truth, result.predicted].map(String),
-    ...MEASURES.map((measure) => figure(result.mean[measure])),
-    String(result.type_errors),
-  ]);
+export function markdown(results, summaries, wanted = USUAL) {
+  const { models, means } = linesOf(results, summaries, wanted, (value) => figure(value, wanted.digits ?? DIGITS));
+  const text = wanted.means ? ["Method"] : ["Model", "Method"];
+  const counts = wanted.means ? ["Models"] : ["Points", "True", "Predicted"];
+  const head = [...text, ...counts, ...wanted.measures, "Type errors"];
   const lines = [
-    row(HEAD),
-    row(HEAD.map((_, column) => (column < TEXT.length ? "---" : "---:"))),
-    ...[...rows, ...meanRows(summaries)].map(row),
+    row(head),
+    row(head.map((_, column) => (column < text.length ? "---" : "---:"))),
+    ...[...models, ...means].map((line) => row(cells(line, wanted))),
     "",
     ...provenance(results).map((way) => `${escapedMarkdown(way)}.`),
     "",
@@ -36,27 +34,30 @@ export function markdown(results, summaries) {
   return `${lines.join("\n")}\n`;
 }
 
-/** @param {readonly MethodSummary[]} summaries */
-function meanRows(summaries) {
-  return ofSeveral(summaries).map((summary) =>
-    [
-      `Mean of ${summary.models}`,
-      escapedMarkdown(summary.method),
-      ...COUNTS.map(() => ""),
-      ...MEASURES.map((measure) => figure(meanOf(summary, measure))),
-      String(summary.typeErrors),
-    ].map((text) => text && `**${text}**`),
-  );
+/**
+ * A line; below those of models that of a mean is bold as a whole, unless bold says which is best.
+ * @param {Line} line
+ * @param {import("./wanted.mjs").Wanted} wanted
+ */
+function cells({ model, models, method, counts, figures, typeErrors }, { means, bold }) {
+  const isFoot = counts === undefined && !means;
+  /** @param {string} text @param {boolean} [best] */
+  const strong = (text, best = isFoot && !bold) => (best && text ? `**${text}**` : text);
+  const labels = counts
+    ? [escapedMarkdown(model), escapedMarkdown(method), ...counts.map((count) => (count === null ? "" : String(count)))]
+    : means
+      ? [escapedMarkdown(method), String(models)]
+      : [strong(`Mean of ${models}`), strong(escapedMarkdown(method)), "", "", ""];
+  return [
+    ...labels,
+    ...figures.map(({ text, best }) => strong(text, bold ? best : undefined)),
+    strong(typeErrors === null ? "" : String(typeErrors)),
+  ];
 }
 
 /** @param {readonly string[]} cells */
 function row(cells) {
   return `| ${cells.join(" | ")} |`;
-}
-
-/** @param {number | null} value */
-function figure(value) {
-  return value === null ? "n/a" : value.toFixed(4);
 }
 
 /**

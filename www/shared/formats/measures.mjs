@@ -10,7 +10,7 @@ export const MEASURES = DECLARED.map(({ key }) => key);
 
 /** @typedef {import("../../generated/engine/engine.js").MethodSummary} MethodSummary */
 
-/** What a summary takes of a report. @typedef {{ method: string, mean: Readonly<Partial<Record<Measure, number | null>>>, type_errors: number }} Scored */
+/** What a summary takes of a report. @typedef {{ method: string, mean: Readonly<Partial<Record<Measure, number | null>>>, type_errors: number | null }} Scored */
 
 /**
  * The figures of many reports as the engine takes them: one call sums all of them up.
@@ -24,7 +24,7 @@ export function scoresOf(reports) {
     methods,
     method: Uint32Array.from(reports, ({ method }) => places.get(method) ?? 0),
     measures: rowsOf(reports.map(({ mean }) => (measure) => mean[measure])),
-    typeErrors: Uint32Array.from(reports, ({ type_errors }) => type_errors),
+    typeErrors: Uint32Array.from(reports, ({ type_errors }) => type_errors ?? 0),
   };
 }
 

@@ -17,12 +17,21 @@ import { oneLine } from "../text.mjs";
  */
 
 /**
+ * The figures of a published method on a model: without files, counts and what else was not published.
+ * @typedef {Pick<Result, "model" | "method" | "protocol" | "points" | "truth" | "engine" | "files"> & { mean: Partial<Result["mean"]>, predicted: null, type_errors: null, published: true }} PublishedResult
+ */
+
+/** What a row of a table is made of. @typedef {(Result & { published?: undefined }) | (PublishedResult & { surfacesFitted?: undefined })} Row */
+
+/**
  * How the results came about, one sentence per engine and protocol among them.
- * @param {readonly Result[]} results
+ * @param {readonly Row[]} results
  */
 export function provenance(results) {
-  const ways = results.map(
-    ({ engine, protocol }) => `Fit4CAD engine ${oneLine(engine)}, protocol ${protocol}`,
+  const ways = results.map(({ engine, protocol, method, published }) =>
+    published
+      ? `${oneLine(method)}: the published result files, scored by protocol ${protocol}`
+      : `Fit4CAD engine ${oneLine(engine)}, protocol ${protocol}`,
   );
   const fitted = results.filter(({ surfacesFitted }) => surfacesFitted).map(({ method }) => oneLine(method));
   const notes = [...new Set(fitted)].map((method) => `Surfaces of ${method} fitted by the engine to the segments given`);
@@ -31,7 +40,7 @@ export function provenance(results) {
 
 /**
  * Each file once, as `sha256sum` lists them: such lines can be handed to `sha256sum --check`.
- * @param {readonly Result[]} results
+ * @param {readonly Row[]} results
  */
 export function checksums(results) {
   const lines = results.flatMap(({ files }) =>

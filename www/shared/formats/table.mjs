@@ -2,52 +2,44 @@
 // A table for the eye: one aligned row per model and method, then each method's mean.
 
 import { align } from "./align.mjs";
-import { MEASURES, meanOf, ofSeveral } from "./measures.mjs";
+import { linesOf } from "./lines.mjs";
+import { USUAL } from "./wanted.mjs";
 
-/** @typedef {import("../../generated/engine/engine.js").Report & { surfacesFitted?: boolean }} Report */
-/** @typedef {import("./measures.mjs").MethodSummary} MethodSummary */
+/** @typedef {import("./lines.mjs").Line} Line */
 
-const HEAD = ["model", "method", "points", "truth", "predicted", ...MEASURES, "type errors"];
-const TEXT_COLUMNS = 2;
-
+const DIGITS = 4;
 /** Marks submissions whose surfaces the engine fitted. */
 const FITTED = "†";
 const NOTE = "came without surfaces: types, MFE, dHaus and distances of parameters are of those fitted here";
 
 /**
- * @param {readonly Report[]} reports
- * @param {readonly MethodSummary[]} summaries the engine's, of the same reports
+ * @param {readonly import("./results.mjs").Row[]} results
+ * @param {readonly import("./measures.mjs").MethodSummary[]} summaries the engine's, of the same results
+ * @param {import("./wanted.mjs").Wanted} [wanted]
  */
-export function table(reports, summaries) {
-  if (reports.length === 0) {
+export function table(results, summaries, wanted = USUAL) {
+  if (results.length === 0) {
     return "";
   }
-  const rows = reports.map((report) => [
-    report.model,
-    report.surfacesFitted ? `${report.method} ${FITTED}` : report.method,
-    ...[report.points, report.truth, report.predicted].map(String),
-    ...MEASURES.map((measure) => figure(report.mean[measure])),
-    String(report.type_errors),
+  // Fixed, as the eye goes down a column.
+  const { models, means } = linesOf(results, summaries, wanted, (value) => (value === null ? "n/a" : value.toFixed(wanted.digits ?? DIGITS)));
+  const { means: short, measures } = wanted;
+  const head = short ? ["method", "models"] : ["model", "method", "points", "truth", "predicted"];
+  const rows = [...models, ...means].map((line, at) => [
+    ...(short ? [line.method, String(line.models)] : labels(line, results[at]?.surfacesFitted === true)),
+    ...line.figures.map(({ text }) => text),
+    line.typeErrors === null ? "" : String(line.typeErrors),
   ]);
-  const note = reports.some(({ surfacesFitted }) => surfacesFitted) ? `${FITTED} ${NOTE}\n` : "";
-  return `${align([HEAD, ...rows, ...meanRows(summaries)], TEXT_COLUMNS)}\n${note}`;
+  const note = !short && results.some(({ surfacesFitted }) => surfacesFitted) ? `${FITTED} ${NOTE}\n` : "";
+  return `${align([[...head, ...measures, "type errors"], ...rows], short ? 1 : 2)}\n${note}`;
 }
 
 /**
- * The mean over the models of each method that has several.
- * @param {readonly MethodSummary[]} summaries
+ * @param {Line} line
+ * @param {boolean} isFitted
  */
-function meanRows(summaries) {
-  return ofSeveral(summaries).map((summary) => [
-    `mean of ${summary.models}`,
-    summary.method,
-    ...["", "", ""],
-    ...MEASURES.map((measure) => figure(meanOf(summary, measure))),
-    String(summary.typeErrors),
-  ]);
-}
-
-/** @param {number | null} value */
-function figure(value) {
-  return value === null ? "n/a" : value.toFixed(4);
+function labels({ model, models, method, counts }, isFitted) {
+  return counts
+    ? [model, isFitted ? `${method} ${FITTED}` : method, ...counts.map((count) => (count === null ? "" : String(count)))]
+    : [`mean of ${models}`, method, "", "", ""];
 }

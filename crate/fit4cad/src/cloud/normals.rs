@@ -44,7 +44,13 @@ impl Spread {
         }
         let eigen = SymmetricEigen::new(covariance);
         let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
+        // Three are soon in order, by far less code than a sort.
+        for (one, other) in [(0, 1), (1, 2), (0, 1)] {
+            let [a, b] = [one, other].map(|place: usize| eigen.eigenvalues[order[place]]);
+            if a.total_cmp(&b).is_gt() {
+                order.swap(one, other);
+            }
+        }
         Some(Self {
             centroid,
             variances: order.map(|i| eigen.eigenvalues[i].max(0.0)),

@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use crate::model::Segmentation;
+use crate::sorting::sort_by;
 
 /// How many points of a cloud are in other primitives in one answer than in the other, once
 /// primitives are paired one to one, those first that share most points. Indices beyond `points`
@@ -33,7 +34,10 @@ pub fn changed(points: usize, before: &Segmentation, after: &Segmentation) -> us
         }
     }
     let mut pairs: Vec<((u32, u32), usize)> = shared.into_iter().collect();
-    pairs.sort_by_key(|&(pair, count)| (Reverse(count), pair));
+    sort_by(&mut pairs, |one, other| {
+        let key = |&(pair, count): &((u32, u32), usize)| (Reverse(count), pair);
+        key(one).cmp(&key(other))
+    });
     let mut taken = vec![false; before.primitives.len()];
     let mut partner: Vec<Option<u32>> = vec![None; after.primitives.len()];
     for ((a, b), _) in pairs {

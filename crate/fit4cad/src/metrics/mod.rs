@@ -6,6 +6,7 @@
 //! [`summary`] describes a method over many reports. [`outcome`] and [`histogram`] say of single
 //! points what the measures sum up; [`comparison`] sets figures against figures, [`bootstrap`] and
 //! [`signed_rank`] say how certain that is, and [`agreement`] compares two answers with each other.
+//! [`PUBLISHED`] has what the paper's methods reach.
 //!
 //! What the rest of the field reports stands beside these measures: [`segmentation`] scores by its
 //! protocols, [`geometry`] compares surfaces, and [`field`] has both by name, with the strata that
@@ -25,6 +26,7 @@ pub mod matching;
 mod measure;
 pub mod outcome;
 mod protocol;
+mod published;
 pub mod recognition;
 pub mod report;
 pub mod segmentation;
@@ -36,6 +38,7 @@ pub use field::{FieldReport, Figure, FigureGroup, FigureInfo, Figures, field_rep
 pub use hidden::Hidden;
 pub use measure::{Better, Group, Measure, MeasureInfo, Measures, Source, Term};
 pub use protocol::{DIFFERENCES, Difference, Protocol};
+pub use published::PUBLISHED;
 pub use report::{PredictionRow, Report, ScoreError, TruthRow, evaluate, score};
 pub use summary::{Distribution, MethodSummary, Score, summarise};
 

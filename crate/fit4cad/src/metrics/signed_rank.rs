@@ -1,5 +1,7 @@
 //! Whether two methods differ on the same models by more than chance.
 
+use crate::sorting::sort_by;
+
 /// Pairs up to which the probability is counted exactly; beyond, the normal distribution is less than
 /// 0.003 off, and a third of that below 0.05.
 const EXACT: usize = 50;
@@ -37,7 +39,7 @@ impl SignedRank {
         if told.is_empty() {
             return None;
         }
-        told.sort_by(|one, other| one.abs().total_cmp(&other.abs()));
+        sort_by(&mut told, |one, other| one.abs().total_cmp(&other.abs()));
         let (mut doubled, mut positive, mut below) = (Vec::new(), 0u64, 0u64);
         let mut ties = 0.0;
         for equal in told.chunk_by(|one, other| one.abs() == other.abs()) {

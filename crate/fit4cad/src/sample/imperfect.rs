@@ -6,6 +6,7 @@ use crate::cloud::neighbours::{KdTree, Neighbour};
 use crate::cloud::{Bounds, Point, Vector};
 use crate::model::{Model, Primitive, Segmentation};
 use crate::random::Random;
+use crate::sorting::sort_by;
 use crate::surface::Surface;
 
 /// Standard deviation of the displacement that frays the borders, over the cloud's diagonal.
@@ -32,7 +33,9 @@ pub fn imperfect(model: &Model, seed: u64) -> Segmentation {
         truth.primitives.iter().map(|each| each.surface).collect();
 
     let mut by_size: Vec<usize> = (0..lists.len()).collect();
-    by_size.sort_by_key(|&place| (lists[place].len(), place));
+    sort_by(&mut by_size, |&one, &other| {
+        (lists[one].len(), one).cmp(&(lists[other].len(), other))
+    });
     if let [smallest, second, _, .., largest] = by_size[..] {
         let merged = std::mem::take(&mut lists[smallest]);
         lists[second].clear();

@@ -10,6 +10,7 @@ use nalgebra::DMatrix;
 
 use super::polynomial::{Polynomial, monomials};
 use crate::cloud::{Bounds, Point};
+use crate::sorting::sort_by;
 
 /// Highest degree that is fitted; monomials of higher degree are too much alike to tell apart in
 /// double precision.
@@ -90,7 +91,9 @@ pub fn implicitize(points: &[Point], degree: u32) -> Result<Implicitization, Imp
         .ok_or(ImplicitizationError::NoConvergence)?;
     let basis = svd.v_t.ok_or(ImplicitizationError::NoConvergence)?;
     let mut order: Vec<usize> = (0..needed).collect();
-    order.sort_by(|&a, &b| svd.singular_values[a].total_cmp(&svd.singular_values[b]));
+    sort_by(&mut order, |&a, &b| {
+        svd.singular_values[a].total_cmp(&svd.singular_values[b])
+    });
     let &[best, second, ..] = order.as_slice() else {
         return Err(ImplicitizationError::NoConvergence);
     };

@@ -5,6 +5,8 @@ from typing import Any, Callable, Mapping, Optional, Sequence
 import numpy as np
 import numpy.typing as npt
 
+#: JSON: see `fit4cad::metrics::PUBLISHED`.
+PUBLISHED: str
 __version__: str
 
 class Cloud:

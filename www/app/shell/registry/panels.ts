@@ -5,7 +5,7 @@ import type { Load } from "../../ui/lazy";
 import { diagnosticsBadge } from "../../diagnostics/badge";
 import { sharedBadge } from "../../sharing/badge";
 import { anyStep, CAD_PANEL } from "../../state/step";
-import { isLinkOpen, SHARED_PANEL } from "../../sharing/opened";
+import { isLinkOpen, SHARED_PANEL } from "../../sharing/state";
 
 export interface PanelDefinition {
   readonly id: string;

@@ -16,6 +16,7 @@ pub(super) use clue::names_truth;
 pub use naming::model_number;
 
 use super::Role;
+use crate::sorting::sort_by;
 
 /// What a caller knows better about one file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -95,7 +96,7 @@ pub struct Unplaced {
 /// ```
 pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>) -> Grouping {
     let mut paths: Vec<&str> = paths.iter().map(AsRef::as_ref).collect();
-    paths.sort_by(|a, b| natural::compare(a, b));
+    sort_by(&mut paths, |a, b| natural::compare(a, b));
     let mut grouping = Grouping::default();
     let mut seen = BTreeSet::new();
     let mut clues = Vec::new();
@@ -130,9 +131,9 @@ pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>)
     {
         file.first = overrides.get(&file.path).and_then(|said| said.first);
     }
-    grouping
-        .unplaced
-        .sort_by(|a, b| natural::compare(&a.path, &b.path));
+    sort_by(&mut grouping.unplaced, |a, b| {
+        natural::compare(&a.path, &b.path)
+    });
     grouping
 }
 

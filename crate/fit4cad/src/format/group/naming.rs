@@ -6,6 +6,7 @@ use super::natural;
 use super::placing::{Draft, Owner};
 use super::{ModelFiles, PlacedFile};
 use crate::format::Role;
+use crate::sorting::sort_by;
 
 /// Names the models and orders them and their files.
 pub(super) fn name(drafts: Vec<Draft<'_>>) -> Vec<ModelFiles> {
@@ -23,7 +24,7 @@ pub(super) fn name(drafts: Vec<Draft<'_>>) -> Vec<ModelFiles> {
             (stem, label, model)
         })
         .collect();
-    named.sort_by(|(a, set_a, _), (b, set_b, _)| {
+    sort_by(&mut named, |(a, set_a, _), (b, set_b, _)| {
         // Case never tells models apart within a set, so sets come before it.
         natural::compare(&a.to_lowercase(), &b.to_lowercase())
             .then_with(|| natural::compare(set_a, set_b))
@@ -114,7 +115,7 @@ fn files(draft: Draft<'_>) -> Vec<PlacedFile> {
         let pieces = paths.iter();
         files.extend(pieces.map(|path| placed(path, Role::Primitives, Some(owner))));
     }
-    files.sort_by(|a, b| {
+    sort_by(&mut files, |a, b| {
         (a.role != Role::Cloud)
             .cmp(&(b.role != Role::Cloud))
             .then_with(|| match (&a.method, &b.method) {

@@ -6,6 +6,7 @@ use super::Grouping;
 use super::clue::{Clue, names_truth};
 use super::pieces::{self, Set};
 use crate::format::Role;
+use crate::sorting::sort_by;
 
 /// A model while files are being found for it.
 #[derive(Debug)]
@@ -48,7 +49,7 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
     let (mut clouds, others): (Vec<_>, Vec<_>) =
         clues.into_iter().partition(|clue| clue.role == Role::Cloud);
     // Where two could be the same cloud, that of the kind named first is it.
-    clouds.sort_by_key(|clue| clue.kind);
+    sort_by(&mut clouds, |one, other| one.kind.cmp(&other.kind));
     let mut shelf = Shelf::default();
     for cloud in clouds {
         shelf.add_cloud(cloud, Vec::new(), grouping);

@@ -43,7 +43,7 @@ def shown(value: float) -> str:
 
 def fixed(value: float, decimals: int) -> str:
     """With so many digits after the point; halves go up."""
-    return str(Decimal(value if value else 0).quantize(Decimal(1).scaleb(-decimals), context=_EXACT))
+    return format(Decimal(value if value else 0).quantize(Decimal(1).scaleb(-decimals), context=_EXACT), "f")
 
 
 def scientific(value: float, decimals: int) -> str:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Optional, Sequence
 
 from .._declared import declared, names
 from .figures import Value, align, figure, json_text, one_line, shown
+from .lines import LONG, Line, Wanted, lines_of, shortened
 
 Row = dict[str, Any]
 
@@ -55,44 +56,60 @@ def checksums(results: Sequence[Row]) -> list[str]:
 
 
 def _provenance(results: Sequence[Row]) -> list[str]:
-    ways = [f"Fit4CAD engine {one_line(each['engine'])}, protocol {each['protocol']}" for each in results]
+    ways = [
+        f"{one_line(each['method'])}: the published result files, scored by protocol {each['protocol']}"
+        if each.get("published")
+        else f"Fit4CAD engine {one_line(each['engine'])}, protocol {each['protocol']}"
+        for each in results
+    ]
     fitted = [one_line(each["method"]) for each in results if each.get("surfacesFitted")]
     notes = [f"Surfaces of {method} fitted by the engine to the segments given" for method in each_once(fitted)]
     return [*each_once(ways), *notes]
 
 
-def _several(summaries: Sequence[Row]) -> list[Row]:
-    """Those of which a mean says something."""
-    return [each for each in summaries if each["models"] > 1]
-
-
-def _means(summary: Row) -> list[Value]:
-    return [summary["over"].get(key, {}).get("mean") for key in names("measures")]
-
-
-def _json(results: Sequence[Row], _: Sequence[Row]) -> str:
+def _json(results: Sequence[Row], _: Sequence[Row], __: Wanted) -> str:
     return json_text(results)
 
 
-def _table(results: Sequence[Row], summaries: Sequence[Row]) -> str:
+def _table(results: Sequence[Row], summaries: Sequence[Row], wanted: Wanted) -> str:
     if not results:
         return ""
-    measures = names("measures")
-    rows = [["model", "method", *_COUNTS, *measures, "type errors"]]
-    for each in results:
-        called = f"{each['method']} {_FITTED}" if each.get("surfacesFitted") else each["method"]
-        counts = [str(each[key]) for key in _COUNTS]
-        rows.append([each["model"], called, *counts, *(figure(each["mean"][key]) for key in measures), str(each["type_errors"])])
-    for summary in _several(summaries):
-        head = [f"mean of {summary['models']}", summary["method"], *("" for _ in _COUNTS)]
-        rows.append([*head, *map(figure, _means(summary)), str(summary["typeErrors"])])
-    note = f"{_FITTED} {_NOTE}\n" if any(each.get("surfacesFitted") for each in results) else ""
-    return f"{align(rows, 2)}\n{note}"
+    digits = 4 if wanted.digits is None else wanted.digits
+    # Fixed, as the eye goes down a column.
+    models, means = lines_of(results, summaries, wanted, lambda value: figure(value, digits))
+    rows = [[*(["method", "models"] if wanted.means else ["model", "method", *_COUNTS]), *wanted.measures, "type errors"]]
+    for at, line in enumerate([*models, *means]):
+        if line.counts is not None:
+            called = f"{line.method} {_FITTED}" if results[at].get("surfacesFitted") else line.method
+            labels = [line.model, called, *map(_count, line.counts)]
+        else:
+            labels = [line.method, str(line.models)] if wanted.means else [f"mean of {line.models}", line.method, "", "", ""]
+        rows.append([*labels, *(text for text, _ in line.figures), _count(line.type_errors)])
+    fitted = not wanted.means and any(each.get("surfacesFitted") for each in results)
+    note = f"{_FITTED} {_NOTE}\n" if fitted else ""
+    return f"{align(rows, 1 if wanted.means else 2)}\n{note}"
 
 
-def _csv(results: Sequence[Row], _: Sequence[Row]) -> str:
+def _count(value: Optional[int]) -> str:
+    return "" if value is None else str(value)
+
+
+def _csv(results: Sequence[Row], summaries: Sequence[Row], wanted: Wanted) -> str:
+    digits = wanted.digits
+
+    def write(value: Value) -> str:
+        return "" if value is None else shown(value) if digits is None else shortened(value, digits)
+
+    models, means = lines_of(results, summaries, wanted, write)
+    if wanted.means:
+        rows: list[list[Any]] = [["method", "protocol", "models", *wanted.measures, "type_errors", "engine"]]
+        for line in means:
+            own = next(each for each in results if each["method"] == line.method)
+            figures = [text for text, _ in line.figures]
+            rows.append([guarded(line.method), own["protocol"], line.models, *figures, line.type_errors, guarded(own["engine"])])
+        return csv_text(rows)
     files = [(owner, role) for owner in _OWNERS for role in names("roles") if (role == "cloud") == (owner is None)]
-    head = ["model", "method", "protocol", *_COUNTS, *names("measures"), "type_errors", "engine"]
+    head = ["model", "method", "protocol", *_COUNTS, *wanted.measures, "type_errors", "engine"]
     head += ["_".join(filter(None, (owner, role, "sha256"))) for owner, role in files]
 
     def hashes(each: Row, role: str, submitted: bool) -> str:
@@ -102,29 +119,41 @@ def _csv(results: Sequence[Row], _: Sequence[Row]) -> str:
         [
             *(guarded(each[key]) for key in ("model", "method", "protocol")),
             *(each[key] for key in _COUNTS),
-            *(each["mean"][key] for key in names("measures")),
+            *(text for text, _ in line.figures),
             *(each["type_errors"], guarded(each["engine"])),
             *(hashes(each, role, owner == "method") for owner, role in files),
         ]
-        for each in results
+        for each, line in zip(results, models)
     ]
     return csv_text([head, *rows])
 
 
-def _markdown(results: Sequence[Row], summaries: Sequence[Row]) -> str:
-    head = ["Model", "Method", "Points", "True", "Predicted", *names("measures"), "Type errors"]
-    rows = [head, [*("---" for _ in range(2)), *("---:" for _ in head[2:])]]
-    for each in results:
-        called = [escaped_markdown(each["model"]), escaped_markdown(each["method"])]
-        counts = [str(each[key]) for key in _COUNTS]
-        rows.append([*called, *counts, *(figure(each["mean"][key]) for key in names("measures")), str(each["type_errors"])])
-    for summary in _several(summaries):
-        cells = [f"Mean of {summary['models']}", escaped_markdown(summary["method"]), *("" for _ in _COUNTS)]
-        cells += [*map(figure, _means(summary)), str(summary["typeErrors"])]
-        rows.append([cell and f"**{cell}**" for cell in cells])
+def _markdown(results: Sequence[Row], summaries: Sequence[Row], wanted: Wanted) -> str:
+    digits = 4 if wanted.digits is None else wanted.digits
+    models, means = lines_of(results, summaries, wanted, lambda value: shortened(value, digits))
+    labels = ["Method"] if wanted.means else ["Model", "Method"]
+    head = [*labels, *(["Models"] if wanted.means else ["Points", "True", "Predicted"]), *wanted.measures, "Type errors"]
+    rows = [head, [*("---" for _ in labels), *("---:" for _ in head[len(labels) :])]]
+    rows += [_markdown_cells(line, wanted) for line in [*models, *means]]
     lines = [f"| {' | '.join(row)} |" for row in rows]
     ways = [f"{escaped_markdown(way)}." for way in _provenance(results)]
     return "\n".join([*lines, "", *ways, "", "```text", *checksums(results), "```"]) + "\n"
+
+
+def _markdown_cells(line: Line, wanted: Wanted) -> list[str]:
+    """A line; below those of models that of a mean is bold as a whole, unless bold says which is best."""
+    whole = line.counts is None and not wanted.means and not wanted.bold
+
+    def strong(text: str, best: bool = False) -> str:
+        return f"**{text}**" if text and (best or whole) else text
+
+    called = escaped_markdown(line.method)
+    if line.counts is not None:
+        labels = [escaped_markdown(line.model), called, *map(_count, line.counts)]
+    else:
+        mean = [strong(f"Mean of {line.models}"), strong(called), "", "", ""]
+        labels = [called, str(line.models)] if wanted.means else mean
+    return [*labels, *(strong(text, best) for text, best in line.figures), strong(_count(line.type_errors))]
 
 
 def _formula(term: Row) -> str:
@@ -148,41 +177,67 @@ def _grouped(text: str) -> str:
     return text if len(text) == 1 else f"{{{text}}}"
 
 
-def _latex(results: Sequence[Row], summaries: Sequence[Row]) -> str:
+def _latex(results: Sequence[Row], summaries: Sequence[Row], wanted: Wanted) -> str:
     def row(cells: Sequence[str]) -> str:
         return f"  {' & '.join(cells)} \\\\"
 
-    def figures(values: Sequence[Value]) -> list[str]:
-        return ["n/a" if value is None else f"${figure(value, 3)}$" for value in values]
-
-    symbols = [each["symbol"] for each in declared()["measures"]]
+    digits = 3 if wanted.digits is None else wanted.digits
+    models, means = lines_of(results, summaries, wanted, lambda value: shortened(value, digits))
+    symbols = [each["symbol"] for each in declared()["measures"] if each["key"] in wanted.measures]
     headings = [escaped_latex(it["text"]) if it["kind"] == "word" else f"${_formula(it)}$" for it in symbols]
-    head = ["", "method", "\\# points", "\\# true", "\\# predicted", *headings]
-    lines = [
-        "% Needs \\usepackage{booktabs} and \\usepackage{amsmath}.",
-        *(f"% {line}" for line in [*_provenance(results), *checksums(results)]),
-        f"\\begin{{tabular}}{{ll{'r' * (len(head) - 2)}}}",
-        "  \\toprule",
-        row(head),
-        "  \\midrule",
-    ]
+    labels = ["method", "\\# models"] if wanted.means else ["", "method", "\\# points", "\\# true", "\\# predicted"]
+    head = row([*labels, *headings])
+    layout = ("lr" if wanted.means else "llrrr") + "r" * len(wanted.measures)
+    body = []
     before = None
-    for each in results:
+    for line in models:
         # `PC 14`, as the paper writes it.
-        spaced = "" if each["model"] == before else escaped_latex(re.sub(r"^PC(?=\d+$)", "PC ", each["model"]))
-        before = each["model"]
-        counts = [f"${each[key]:,}$".replace(",", "{,}") for key in _COUNTS]
-        lines.append(row([spaced, escaped_latex(each["method"]), *counts, *figures([each["mean"][key] for key in names("measures")])]))
-    means = [row([f"Mean of {it['models']}", escaped_latex(it["method"]), "", "", "", *figures(_means(it))]) for it in _several(summaries)]
-    lines += [*(["  \\midrule"] if means else []), *means, "  \\bottomrule", "\\end{tabular}"]
+        spaced = "" if line.model == before else escaped_latex(re.sub(r"^PC(?=\d+$)", "PC ", line.model))
+        before = line.model
+        counts = ["" if count is None else _whole(count) for count in line.counts or []]
+        body.append(row([spaced, escaped_latex(line.method), *counts, *_latex_figures(line)]))
+    body += ["  \\midrule"] if models and means else []
+    for line in means:
+        called = escaped_latex(line.method)
+        labels = [called, _whole(line.models)] if wanted.means else [f"Mean of {line.models}", called, "", "", ""]
+        body.append(row([*labels, *_latex_figures(line)]))
+    long = len(models) + len(means) > LONG
+    packages = [f"\\usepackage{{{name}}}" for name in ("booktabs", *(["longtable"] if long else []), "amsmath")]
+    rules = ["  \\toprule", head, "  \\midrule"]
+    if long:
+        # Goes on over pages, its head on each.
+        rows = [f"\\begin{{longtable}}{{{layout}}}", *rules, "  \\endhead", "  \\bottomrule", "  \\endfoot", *body, "\\end{longtable}"]
+    else:
+        rows = [f"\\begin{{tabular}}{{{layout}}}", *rules, *body, "  \\bottomrule", "\\end{tabular}"]
+    lines = [
+        f"% Needs {', '.join(packages[:-1])} and {packages[-1]}.",
+        *(f"% {line}" for line in [*_provenance(results), *checksums(results)]),
+        *rows,
+    ]
     return "\n".join(lines) + "\n"
 
 
+def _whole(value: int) -> str:
+    return f"${value:,}$".replace(",", "{,}")
+
+
+def _latex_figures(line: Line) -> list[str]:
+    def written(text: str, best: bool) -> str:
+        number = re.sub(r"e([+-])(\d+)$", lambda found: f"\\times10^{{{found[1].strip('+')}{found[2]}}}", text)
+        return text if text == "n/a" else f"$\\mathbf{{{number}}}$" if best else f"${number}$"
+
+    return [written(text, best) for text, best in line.figures]
+
+
 #: By the names that ``--format`` takes: what each is, and what writes it.
-WRITERS: dict[str, tuple[str, Callable[[Sequence[Row], Sequence[Row]], str]]] = {
+WRITERS: dict[str, tuple[str, Callable[[Sequence[Row], Sequence[Row], Wanted], str]]] = {
     "table": ("one aligned row per model and method", _table),
     "json": ("everything, down to each primitive and diagnostic", _json),
     "csv": ("one row per model and method, for a spreadsheet", _csv),
     "latex": ("a booktabs table like the paper's", _latex),
     "markdown": ("for a README or a discussion", _markdown),
 }
+
+#: Those that are tables, and of these those that can make a figure stand out.
+TABLES = ("table", "csv", "latex", "markdown")
+BOLD = ("latex", "markdown")

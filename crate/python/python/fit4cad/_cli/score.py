@@ -14,8 +14,11 @@ from .._model import Model
 from .arguments import FORMATS, JOBS, Option, choice, format_of, jobs_of, read_arguments, some
 from .field import OPTIONS as FIELD
 from .field import Field, field_of, score_field
-from .formats import WRITERS
+from .formats import BOLD, TABLES, WRITERS
+from .lines import OPTIONS as SHOWN
+from .lines import are_columns, refuse_beside_field, wanted_of
 from .models import AS, Hear, Overrides, corrections, each_model, found, of_truth
+from .published import with_published
 from .terminal import clear, print_text, tell, warn
 
 Row = dict[str, Any]
@@ -23,14 +26,19 @@ Row = dict[str, Any]
 OPTIONS = (
     Option("protocol", "by what rules; see below", "NAME"),
     *FIELD,
+    *SHOWN,
     *FORMATS,
     Option("self", "scores the truth against itself, as method “truth”", None),
     JOBS,
     AS,
 )
 
-USAGE = "PATH… [--protocol NAME,NAME…] [--measures NAME,NAME…] [--by NAME,NAME…] [--format FORMAT] [--self] [--jobs N]"
+USAGE = (
+    "PATH… [--protocol NAME,NAME…] [--measures NAME,NAME…] [--by NAME,NAME…] [--format FORMAT] [--means] [--digits N] "
+    "[--bold] [--published] [--self] [--jobs N]"
+)
 WORDS = "Scores every submission found in the given files, folders and zips against the ground truth found beside it."
+NOT_PUBLISHED = "fit4cad score: --published adds nothing: no model is one of the 35 test models, by name, points and true primitives."
 NOTHING = "fit4cad score: nothing could be scored. A score needs a cloud, its truth and a submission; see fit4cad score --help."
 
 
@@ -64,8 +72,11 @@ def score(args: Sequence[str]) -> int:
     values, paths = read_arguments(args, OPTIONS)
     some(paths)
     values["protocol"] = values["protocol"] or names("protocols")[0]
-    field = field_of(values)
+    field = field_of({**values, "measures": None} if are_columns(values) else values)
     form = format_of(values, list(WRITERS))
+    if field is not None:
+        refuse_beside_field(values)
+    wanted = wanted_of({**values, "measures": None} if field is not None else values, form, TABLES, BOLD)
     jobs = jobs_of(values)
     if field is None:
         protocol = choice("protocol", values["protocol"], names("protocols"))
@@ -89,8 +100,11 @@ def score(args: Sequence[str]) -> int:
         failed = tell(problems)
     if not results:
         warn(NOTHING)
-    scores = [(each["method"], each["mean"], each["type_errors"]) for each in results]
-    print_text(WRITERS[form][1](results, _engine.summarise(scores)))
+    rows = with_published(results) if values["published"] else results
+    if values["published"] and len(rows) == len(results):
+        warn(NOT_PUBLISHED)
+    scores = [(each["method"], each["mean"], each["type_errors"] or 0) for each in rows]
+    print_text(WRITERS[form][1](rows, _engine.summarise(scores), wanted))
     return 1 if failed or not results else 0
 
 
