@@ -11,7 +11,7 @@ export interface Estimate {
   readonly fits: number;
 }
 
-/** Seconds of the smallest fit, and for each point of a cloud: between a clean one (6 µs) and one with noise (60 µs), by `npm run bench -- fit`. */
+/** Seconds of the smallest fit, and for each point of a cloud: between a clean one (6 µs) and one with noise (60 µs), as the generated parts take on one thread of this engine. */
 const LEAST = 0.1;
 const EACH = 20e-6;
 /** How many times less or more it may be: of any cloud on any machine, after one fit here, at best. */
