@@ -158,7 +158,8 @@ pub fn fit(
         standing_for: places.standing_for(),
     };
     let is_noisy = judge::is_for(&search.scale, places.cloud().len());
-    let noise = is_noisy.then(|| judge::measure(places.cloud().points(), &search.tree));
+    let noise =
+        is_noisy.then(|| judge::measure(places.cloud().points(), &search.tree, &search.scale));
     let noise = noise.flatten();
     if let Some(noise) = noise {
         search.scale = search.scale.with_noise(noise, parameters.tolerance);

@@ -11,6 +11,7 @@ use super::height::residual;
 use crate::cloud::Point;
 use crate::cloud::neighbours::KdTree;
 use crate::fit::quantile::quantile;
+use crate::fit::scale::Scale;
 
 /// Points of the neighbourhoods. Smaller ones are too thick at 1 % of noise, larger ones are over
 /// edges in most parts; that of three which is between the others has been right within a tenth on training
@@ -30,11 +31,34 @@ const STEADY: f64 = 0.7;
 /// Largest part of the variance that a ball may hide.
 const MOST_HIDDEN: f64 = 0.65;
 
+/// Noise, in spacings, up to which the nearest neighbours see nearly all of it: of noise of 0.3 spacings all, of 0.75
+/// they see 0.53, of 1.5 only 0.6.
+const SEEN: f64 = 0.4;
+/// How much larger than what they see it may be, up to there.
+const LARGER: f64 = 1.5;
+
 /// Standard deviation of the points off their surfaces, in the units of the cloud; `None` where they are
 /// on none that can be told: a cloud of few points, or one that fills space.
-pub fn measure(points: &[Point], tree: &KdTree) -> Option<f64> {
+///
+/// Where sizes disagree the larger neighbourhoods are over edges, and the smallest residuals are nearest. On parts that
+/// are small or thin all are, and agree on what is several times the noise; there the nearest neighbours, which `scale`
+/// was measured by, know better.
+pub fn measure(points: &[Point], tree: &KdTree, scale: &Scale) -> Option<f64> {
     let mut piles = piles(points, tree)?;
-    Some(quantile(&mut piles, 0.5))
+    let least = piles.iter().copied().fold(f64::INFINITY, f64::min);
+    let middle = quantile(&mut piles, 0.5);
+    // Rounding moves neighbours alike: they see too little of it.
+    if scale.step > 0.0 {
+        return Some(middle);
+    }
+    let noise = if least < STEADY * middle {
+        least
+    } else {
+        middle
+    };
+    let is_seen = scale.has_noise() && scale.noise <= SEEN * scale.spacing;
+    let is_off = is_seen && noise > LARGER * scale.noise;
+    Some(if is_off { scale.noise } else { noise })
 }
 
 /// The same where neighbourhoods of all sizes agree. What a smooth surface that is none of the five leaves grows
@@ -104,7 +128,16 @@ fn mode(values: &mut [f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::Cloud;
+    use crate::fit::{Parameters, Search};
     use crate::random::Random;
+
+    /// The noise of a cloud by its own tree and scale.
+    fn measured(points: &[Point]) -> Option<f64> {
+        let cloud = Cloud::new(points.to_vec());
+        let search = Search::new(&cloud, &Parameters::default(), 1);
+        measure(points, &search.tree, &search.scale)
+    }
 
     /// A square sheet of 4,000 points with spacing one, whose noise is given in spacings.
     fn sheet(noise: f64) -> Vec<Point> {
@@ -122,9 +155,23 @@ mod tests {
     fn noise_is_measured_from_a_tenth_of_the_spacing_to_its_whole() {
         for noise in [0.1, 0.3, 0.6, 1.0] {
             let points = sheet(noise);
-            let measured = measure(&points, &KdTree::new(&points)).unwrap();
-            assert!((measured / noise - 1.0).abs() < 0.12, "{noise}: {measured}");
+            let found = measured(&points).unwrap();
+            assert!((found / noise - 1.0).abs() < 0.12, "{noise}: {found}");
         }
+    }
+
+    #[test]
+    fn where_the_nearest_neighbours_see_far_less_they_are_believed() {
+        // As over a part all of whose larger neighbourhoods reach over edges.
+        let cloud = Cloud::new(sheet(0.3));
+        let search = Search::new(&cloud, &Parameters::default(), 1);
+        let seen = |share: f64| Scale {
+            noise: share * search.scale.spacing,
+            ..search.scale
+        };
+        let measured = |scale| measure(cloud.points(), &search.tree, &scale).unwrap();
+        assert_eq!(measured(seen(0.2)), seen(0.2).noise);
+        assert!(measured(seen(0.5)) > 0.25);
     }
 
     #[test]
@@ -133,12 +180,12 @@ mod tests {
         let points: Vec<Point> = (0..3000)
             .map(|_| Point::new(random.unit(), random.unit(), random.unit()))
             .collect();
-        assert_eq!(measure(&points, &KdTree::new(&points)), None);
+        assert_eq!(measured(&points), None);
     }
 
     #[test]
     fn few_points_tell_nothing() {
         let points = &sheet(0.1)[..20];
-        assert_eq!(measure(points, &KdTree::new(points)), None);
+        assert_eq!(measured(points), None);
     }
 }
