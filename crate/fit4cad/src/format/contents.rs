@@ -1,6 +1,10 @@
 //! Contents of the files of a model, had one at a time and within the limits: whole, or of long texts piece by piece.
 
+use std::borrow::Cow;
+
 use super::cloud::{self, CloudFile, RowForm, read_own};
+use super::encoding;
+use super::foreign::{may_be_foreign, read_by_pieces as read_foreign_by_pieces};
 use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
 use super::pieces::Union;
 use super::readers::{ByPieces, Readers, Taken};
@@ -36,7 +40,7 @@ fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, S
     let mut window = Window::open(Text { size, part: &part }, PIECE)?;
     // Whoever reads other kinds of files begins anew.
     let later = Ok(Some(((CloudFile::default(), true), Vec::new())));
-    if !cloud::is_in_pieces(path, &window) {
+    if !is_in_pieces(path, &window) {
         return match readers.by_pieces {
             None => later,
             Some(ByPieces { foreign, .. }) => {
@@ -54,6 +58,42 @@ fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, S
         (Ok((_, RowForm::Table)), None) => return later,
     };
     Ok(Some(((file, false), findings)))
+}
+
+/// Whether a text can be read in pieces, by how it begins: it is of one byte a character, and no file of another
+/// program.
+fn is_in_pieces(file: &str, window: &Window<'_>) -> bool {
+    let head = window.bytes();
+    matches!(encoding::utf8(head), Cow::Borrowed(_)) && !may_be_foreign(file, head, window.size())
+}
+
+/// As [`super::read_cloud`], and of PLY and LAS, by pieces of so many bytes, as long files are read; the same whatever they are.
+/// Text of two bytes a character is read whole.
+pub fn read_cloud_by_pieces(
+    file: &str,
+    bytes: &[u8],
+    piece: usize,
+) -> (CloudFile, Vec<Diagnostic>) {
+    if matches!(encoding::utf8(bytes), Cow::Owned(_)) {
+        return cloud::read_cloud(file, bytes);
+    }
+    let part = |from: u64, to: u64| {
+        let [from, to] = [from, to].map(|at| usize::try_from(at).unwrap_or(usize::MAX));
+        Ok(Cow::Borrowed(bytes.get(from..to).unwrap_or_default()))
+    };
+    let text = Text {
+        size: bytes.len() as u64,
+        part: &part,
+    };
+    let read = Window::open(text, piece).and_then(|mut window| {
+        window.reach(cloud::MARK)?;
+        match read_foreign_by_pieces(file, &mut window)? {
+            Some(read) => Ok(read),
+            None => cloud::read_window(file, &mut window, cloud::is_labelled(file)),
+        }
+    });
+    // What is in memory can be had.
+    read.unwrap_or_default()
 }
 
 /// A cloud, whether it was left for later, and what is wrong with it.

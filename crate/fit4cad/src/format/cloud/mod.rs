@@ -11,14 +11,11 @@ pub(super) use columns::Columns;
 pub(super) use paper::read_papers_form;
 pub(super) use table::read as read_table;
 
-use std::borrow::Cow;
-
 use super::encoding;
 use super::findings::{is_blank, open};
-use super::foreign::{may_be_foreign, read_by_pieces as read_foreign_by_pieces};
 use super::labels::Segment;
 use super::scan::{Cursor, is_remark, is_whitespace};
-use super::window::{Text, Window};
+use super::window::Window;
 use crate::cloud::Cloud;
 use crate::diagnostics::Diagnostic;
 
@@ -43,35 +40,6 @@ pub fn read_cloud(file: &str, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
     read_cloud_with(file, bytes, is_labelled(file))
 }
 
-/// As [`read_cloud`], and of PLY and LAS, by pieces of so many bytes, as long files are read; the same whatever they are.
-/// Text of two bytes a character is read whole.
-pub fn read_cloud_by_pieces(
-    file: &str,
-    bytes: &[u8],
-    piece: usize,
-) -> (CloudFile, Vec<Diagnostic>) {
-    if matches!(encoding::utf8(bytes), Cow::Owned(_)) {
-        return read_cloud(file, bytes);
-    }
-    let part = |from: u64, to: u64| {
-        let [from, to] = [from, to].map(|at| usize::try_from(at).unwrap_or(usize::MAX));
-        Ok(Cow::Borrowed(bytes.get(from..to).unwrap_or_default()))
-    };
-    let text = Text {
-        size: bytes.len() as u64,
-        part: &part,
-    };
-    let read = Window::open(text, piece).and_then(|mut window| {
-        window.reach(MARK)?;
-        match read_foreign_by_pieces(file, &mut window)? {
-            Some(read) => Ok(read),
-            None => read_window(file, &mut window, is_labelled(file)),
-        }
-    });
-    // What is in memory can be had.
-    read.unwrap_or_default()
-}
-
 /// As [`read_cloud`], of a file that is known to have labels, or not.
 pub(super) fn read_cloud_with(
     file: &str,
@@ -83,7 +51,11 @@ pub(super) fn read_cloud_with(
     read_window(file, &mut Window::whole(bytes), labelled).unwrap_or_default()
 }
 
-fn read_window(
+/// As [`read_cloud`], of a text that is here, or comes piece by piece.
+///
+/// # Errors
+/// Why it cannot be had to its end.
+pub(super) fn read_window(
     file: &str,
     window: &mut Window<'_>,
     labelled: bool,
@@ -118,15 +90,8 @@ pub(super) fn is_own(file: &str, bytes: &[u8]) -> bool {
     !matches!(form, Ok(Ok((_, RowForm::Table))))
 }
 
-/// Whether a text can be read in pieces, by how it begins: it is of one byte a character, and no file of another
-/// program.
-pub(super) fn is_in_pieces(file: &str, window: &Window<'_>) -> bool {
-    let head = window.bytes();
-    matches!(encoding::utf8(head), Cow::Borrowed(_)) && !may_be_foreign(file, head, window.size())
-}
-
 /// Longer than any mark at the beginning of a file, in bytes.
-const MARK: usize = 8;
+pub(super) const MARK: usize = 8;
 
 /// In what form the rows of a text are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

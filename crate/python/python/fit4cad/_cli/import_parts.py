@@ -139,7 +139,7 @@ class Run:
             return model, report
         # As its files say it: a vector that is written is what is read again.
         texts = texts_of(model)
-        given = [(role, role, None, None, len(text), text.encode) for role, text in texts.items()]
+        given = [(role, role, None, None, len(text), text.encode, None) for role, text in texts.items()]
         again = _engine.read(name, given)
         left = None if again["truth"] is None else Segmentation(again["truth"], again["cloud"])
         return Model(again["cloud"], left, name=name).degraded(**self.wear, seed=self.seed), report
