@@ -3,7 +3,8 @@
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
 import { isMeantBy } from "../stage/colouring";
-import { cutAcross, cutAt, CUTS } from "../stage/display";
+import { CutAxis, CutPlace } from "../stage/cut-fields";
+import { cutAcross } from "../stage/display";
 import { nameOf } from "../stage/key";
 import { reports } from "../stage/reports";
 import { scene } from "../state/scene";
@@ -22,19 +23,13 @@ export default function SectionPanel(): JSX.Element {
       <div class="panel-tools">
         <label>
           Cut across{" "}
-          <select value={cutAcross.value} onChange={(event) => (cutAcross.value = event.currentTarget.value as typeof cutAcross.value)}>
-            {CUTS.map(({ id, title }) => (
-              <option key={id} value={id}>
-                {title}
-              </option>
-            ))}
-          </select>
+          <CutAxis />
         </label>
         {cutAcross.value !== "none" && (
           <>
             <label class="slide">
               Place
-              <input type="range" min={0} max={1} step={0.005} value={cutAt.value} onInput={(event) => (cutAt.value = event.currentTarget.valueAsNumber)} />
+              <CutPlace />
             </label>
             <label class="slide">
               Thickness

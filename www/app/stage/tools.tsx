@@ -12,6 +12,7 @@ import { Lazy } from "../ui/lazy";
 import { Popover } from "../ui/popover";
 import { COLOUR_MODES, type ColourMode } from "./colouring";
 import { picturing } from "./current";
+import { CutAxis, CutPlace } from "./cut-fields";
 import {
   WHOLE_BOX,
   arrangement,
@@ -19,9 +20,7 @@ import {
   clipBox,
   colourMode,
   cutAcross,
-  cutAt,
   cutBelow,
-  CUTS,
   eyeDome,
   pointSize,
   projection,
@@ -98,19 +97,13 @@ export function Tools({ view }: { view: PointView | undefined }): JSX.Element {
           <Toggle on={projection} yes="orthographic" no="perspective" label="Orthographic" />
           <label>
             Cut open across
-            <select value={cutAcross.value} onChange={(event) => (cutAcross.value = event.currentTarget.value as typeof cutAcross.value)}>
-              {CUTS.map(({ id, title }) => (
-                <option key={id} value={id}>
-                  {title}
-                </option>
-              ))}
-            </select>
+            <CutAxis />
           </label>
           {cutAcross.value !== "none" && (
             <>
               <label class="size">
                 Place of the cut
-                <input type="range" min={0} max={1} step={0.005} value={cutAt.value} onInput={(event) => (cutAt.value = event.currentTarget.valueAsNumber)} />
+                <CutPlace />
               </label>
               <label class="check">
                 <input type="checkbox" checked={cutBelow.value} onChange={(event) => (cutBelow.value = event.currentTarget.checked)} />

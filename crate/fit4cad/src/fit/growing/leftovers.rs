@@ -3,7 +3,6 @@
 //! as those of any minimal set, and compete for the points that are still free.
 
 use super::super::Candidate;
-use super::super::axes::direction_of;
 use super::super::contest::{Evidence, accept_winners};
 use super::super::detect;
 use super::super::holders::Holders;
@@ -12,12 +11,9 @@ use super::super::progress::{Cancelled, Observer, Stage};
 use super::super::search::Search;
 use super::super::thin::axis::known_axes;
 use super::super::thin::borders::Borders;
+use super::super::thin::recurring::recurring;
 use super::super::thin::{self, Proposer, coaxial};
-use crate::cloud::Direction;
 use crate::surface::Surface;
-
-/// Sine of the angle below which two directions are one.
-const SAME: f64 = 1e-3;
 
 /// Finds surfaces about the axes of those found so far: with the axis known, patches suffice that are
 /// too small or too flat to have one of their own.
@@ -100,33 +96,6 @@ fn rows_of_faces(search: &mut Search<'_>, observer: &mut dyn Observer) -> Vec<bo
     profile::extruded(search, &directions, &mut |face| {
         detect::tell(face, observer)
     })
-}
-
-/// Normals of planes and axes that the accepted surfaces have in common, by how many points they
-/// have. Thin faces run along one of them even where no neighbour tells which.
-fn recurring(search: &Search<'_>) -> Vec<Direction> {
-    let mut largest: Vec<&Candidate> = search.accepted().iter().collect();
-    largest.sort_by_key(|candidate| std::cmp::Reverse(candidate.support.len()));
-    let mut directions: Vec<(Direction, usize)> = Vec::new();
-    for candidate in largest {
-        let Some(direction) = direction_of(&candidate.surface) else {
-            continue;
-        };
-        let points = candidate.support.len();
-        let same = |(other, _): &&mut (Direction, usize)| other.cross(&direction).norm() < SAME;
-        match directions.iter_mut().find(same) {
-            Some((_, count)) => *count += points,
-            None => directions.push((direction, points)),
-        }
-    }
-    directions.sort_by_key(|(_, points)| std::cmp::Reverse(*points));
-    let most = directions.first().map_or(0, |(_, points)| *points);
-    directions.retain(|(_, points)| *points as f64 >= thin::SHARE * most as f64);
-    directions.truncate(thin::RECURRING);
-    directions
-        .into_iter()
-        .map(|(direction, _)| direction)
-        .collect()
 }
 
 /// Grows the proposed surfaces, unless what is on one around its point is on another of its family

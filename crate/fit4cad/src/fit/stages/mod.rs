@@ -11,8 +11,8 @@ mod prune;
 pub use contacts::split_contacts;
 pub use halves::join_halves;
 pub use label::{Labels, label};
-pub use patches::{Patch, patches};
-pub use prune::{prune, share_adrift};
+pub use patches::{FOURTH, Patch, STEPS, patches};
+pub use prune::{held, prune};
 
 use super::Parameters;
 use super::progress::{Cancelled, Observer, Stage};

@@ -27,11 +27,11 @@ const REACH: f64 = 8.0;
 /// links on the average of a third.
 const FARTHEST: f64 = 24.0;
 /// Neighbours on the face by which a point's own spacing is measured.
-const FOURTH: usize = 4;
+pub const FOURTH: usize = 4;
 /// Longest link in distances of the fourth nearest on the face. Where points are spread at random over an
 /// area the fourth is 2.3 spacings off, so that this says the same as [`REACH`]; of points at random on a line
 /// one gap in six hundred is longer.
-const STEPS: f64 = 3.5;
+pub const STEPS: f64 = 3.5;
 
 /// One connected piece of a surface.
 #[derive(Debug, Clone, PartialEq)]

@@ -28,23 +28,39 @@ pub fn prune(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candida
 /// dozen points always fit something, while a true face is surrounded by other faces. Smallest
 /// first, each drop leaving its neighbours more adrift, until nothing changes.
 fn drop_adrift(search: &Search<'_>, mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+    let is_doubtful = |place: &usize| {
+        let candidate = &candidates[*place];
+        candidate.support.len() < SMALL && !is_exact(search, candidate)
+    };
+    let order: Vec<usize> = (0..candidates.len()).rev().filter(is_doubtful).collect();
+    let mut is_held = held(search, &candidates, &order, ADRIFT).into_iter();
+    candidates.retain(|_| is_held.next().unwrap_or(true));
+    candidates
+}
+
+/// Which of some patches are held by what lies around them. Of the doubtful ones, given in the order in which they
+/// are looked at, one goes as soon as more than a share of its surroundings lies on no patch, and leaves its
+/// neighbours more adrift. O(doubtful² × points of one).
+pub fn held(
+    search: &Search<'_>,
+    candidates: &[Candidate],
+    doubtful: &[usize],
+    most_adrift: f64,
+) -> Vec<bool> {
     let mut claims = vec![0u32; search.cloud.len()];
     for &index in candidates.iter().flat_map(|c| &c.support) {
         claims[index as usize] += 1;
     }
-    loop {
-        let adrift = candidates.iter().rposition(|candidate| {
-            candidate.support.len() < SMALL
-                && !is_exact(search, candidate)
-                && share_adrift(search, candidate, &claims) > ADRIFT
-        });
-        let Some(place) = adrift else {
-            return candidates;
-        };
-        for index in candidates.remove(place).support {
+    let mut is_held = vec![true; candidates.len()];
+    while let Some(&place) = doubtful.iter().find(|&&place| {
+        is_held[place] && share_adrift(search, &candidates[place], &claims) > most_adrift
+    }) {
+        is_held[place] = false;
+        for &index in &candidates[place].support {
             claims[index as usize] -= 1;
         }
     }
+    is_held
 }
 
 /// Whether so many points are so near a surface that it is no accident. A row of points, which lies
@@ -65,7 +81,7 @@ fn is_exact(search: &Search<'_>, candidate: &Candidate) -> bool {
 const SPARE: usize = 2;
 
 /// Share of the points around a patch that no patch holds.
-pub fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
+fn share_adrift(search: &Search<'_>, candidate: &Candidate, claims: &[u32]) -> f64 {
     let (mut outside, mut unheld) = (0u32, 0u32);
     for &index in &candidate.support {
         for &neighbour in search.graph.of(index).iter().take(8) {

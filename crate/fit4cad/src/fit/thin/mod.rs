@@ -7,6 +7,7 @@
 //! chains                 places → the order in which a curve runs through them
 //! coaxial, swept         surfaces through few points, about or along what is known beside them
 //! rows                   what the rows of points on a thin face prove
+//! recurring              directions that much of the cloud has in common
 //! borders                where accepted surfaces end and nothing yet begins
 //! scattered              thin faces of points that are in no rows
 //! ```
@@ -20,6 +21,7 @@ pub mod coaxial;
 pub mod curve;
 pub mod plan;
 pub mod profile;
+pub mod recurring;
 pub mod rows;
 mod scatter;
 pub mod scattered;

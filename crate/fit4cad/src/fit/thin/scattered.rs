@@ -7,18 +7,17 @@
 //! surface, and each further one that is exactly on it is an accident with a chance of about the share
 //! of the spacing that the tolerance takes up.
 
+use super::recurring::prevailing;
 use super::rows::{Proof, proof};
 use super::scatter::is_scattered;
 use super::swept::swept;
-use super::{RECURRING, SHARE};
 use crate::cloud::neighbours::{KdTree, Neighbour};
 use crate::cloud::{Direction, Point};
-use crate::fit::axes::direction_of;
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
 use crate::fit::progress::{Cancelled, Observer, Stage};
 use crate::fit::pure::pure;
 use crate::fit::quantile::quantile;
-use crate::fit::stages::share_adrift;
+use crate::fit::stages::{FOURTH, STEPS, held};
 use crate::fit::{Candidate, Parameters, Search, detect};
 use crate::surface::Surface;
 
@@ -32,8 +31,6 @@ const REACH: f64 = 24.0;
 const PASSES: usize = 4;
 /// Points of a neighbourhood that must be on a surface for it to be grown.
 const AGREEING: usize = 6;
-/// Sine of the angle below which two directions of the whole cloud are one.
-const SAME: f64 = 1e-3;
 /// Rounds in which a surface is fitted to its points and collects them anew.
 const ROUNDS: usize = 4;
 /// Farthest a point may lie from a thin face, in root mean square errors of one.
@@ -65,24 +62,11 @@ pub fn scattered(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result
 }
 
 /// Takes back those of the last faces, from a position on, that lie amid points that nothing holds: where a
-/// spline stands for a round, its pieces are as exact as any. Smallest first, each leaving its neighbours more
-/// adrift. O(faces² × points of one).
+/// spline stands for a round, its pieces are as exact as any. Smallest first. O(faces² × points of one).
 fn drop_adrift(search: &mut Search<'_>, first: usize) {
-    let mut claims = vec![0u32; search.cloud.len()];
-    for &index in search.accepted().iter().flat_map(|face| &face.support) {
-        claims[index as usize] += 1;
-    }
-    let mut is_kept = vec![true; search.accepted().len()];
-    let mut order: Vec<usize> = (first..is_kept.len()).collect();
+    let mut order: Vec<usize> = (first..search.accepted().len()).collect();
     order.sort_by_key(|&place| search.accepted()[place].support.len());
-    while let Some(&place) = order.iter().find(|&&place| {
-        is_kept[place] && share_adrift(search, &search.accepted()[place], &claims) > ALONE
-    }) {
-        is_kept[place] = false;
-        for &index in &search.accepted()[place].support {
-            claims[index as usize] -= 1;
-        }
-    }
+    let is_kept = held(search, search.accepted(), &order, ALONE);
     search.retain(|place, _| is_kept[place]);
 }
 
@@ -93,7 +77,7 @@ fn pass(search: &mut Search<'_>, observer: &mut dyn Observer) -> Result<usize, C
         return Ok(0);
     }
     let free = Free::of(search, &order);
-    let recurring = recurring(search);
+    let recurring = prevailing(search);
     let (mut accepted, mut vain) = (0, 0);
     for (place, &seed) in order.iter().enumerate() {
         if place % 64 == 0 {
@@ -282,12 +266,6 @@ impl Free {
     }
 }
 
-/// Neighbours on a face by which its own spacing is measured.
-const FOURTH: usize = 4;
-/// Longest step between neighbours on a face, in distances of the fourth nearest: on a row of points
-/// at random, one in a thousand is longer.
-const STEPS: f64 = 3.5;
-
 /// How far apart neighbours on a face may be, from some of its points.
 fn reach(search: &Search<'_>, points: &[Point]) -> f64 {
     let fourth = |point: &Point| {
@@ -298,30 +276,6 @@ fn reach(search: &Search<'_>, points: &[Point]) -> f64 {
     let mut apart: Vec<f64> = points.iter().map(fourth).collect();
     let usual = STEPS * quantile(&mut apart, 0.5);
     usual.min(REACH * search.scale.spacing)
-}
-
-/// The directions of normals and axes that most points have in common.
-fn recurring(search: &Search<'_>) -> Vec<Direction> {
-    let mut found: Vec<(Direction, usize)> = Vec::new();
-    let mut all = 0;
-    for face in search.accepted() {
-        let Some(direction) = direction_of(&face.surface) else {
-            continue;
-        };
-        let size = face.support.len();
-        all += size;
-        match found
-            .iter_mut()
-            .find(|(other, _)| other.cross(&direction).norm() < SAME)
-        {
-            Some((_, sum)) => *sum += size,
-            None => found.push((direction, size)),
-        }
-    }
-    found.sort_by_key(|&(_, size)| std::cmp::Reverse(size));
-    found.retain(|&(_, size)| size as f64 >= SHARE * all as f64);
-    found.truncate(RECURRING);
-    found.into_iter().map(|(direction, _)| direction).collect()
 }
 
 #[cfg(test)]
