@@ -29,7 +29,7 @@ const FARTHEST: f64 = 24.0;
 /// Neighbours on the face by which a point's own spacing is measured.
 pub const FOURTH: usize = 4;
 /// Longest link in distances of the fourth nearest on the face. Where points are spread at random over an
-/// area the fourth is 2.3 spacings off, so that this says the same as [`REACH`]; of points at random on a line
+/// area the fourth is 2.3 spacings off, so that this says the same as `REACH`; of points at random on a line
 /// one gap in six hundred is longer.
 pub const STEPS: f64 = 3.5;
 
