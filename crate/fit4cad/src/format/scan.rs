@@ -163,9 +163,12 @@ pub(super) fn excerpt(bytes: &[u8], at: usize) -> String {
     quote(&String::from_utf8_lossy(line))
 }
 
-/// One token in quotes, shortened and printable.
+/// One token in quotes, shortened and printable; where the line is at its end, that it is.
 pub(super) fn token(bytes: &[u8], at: usize) -> String {
     let mut end = Cursor { bytes, at };
+    if end.peek().is_some_and(is_line_end) {
+        return excerpt(bytes, at);
+    }
     end.skip_token();
     match bytes.get(at..end.at) {
         Some(token) if !token.is_empty() => {
@@ -228,5 +231,6 @@ mod tests {
         assert_eq!(excerpt(b"ab", 2), "the end of the file");
         assert_eq!(excerpt(&[b'x'; 1000], 0).chars().count(), EXCERPT_CHARS + 3);
         assert_eq!(token(b"1x2, 3", 0), "`1x2`");
+        assert_eq!(token(b"\"\nnext", 1), "the end of the line");
     }
 }

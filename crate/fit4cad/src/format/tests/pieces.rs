@@ -91,6 +91,14 @@ proptest! {
     }
 }
 
+#[test]
+fn a_row_that_is_a_lone_quote_is_told_of_by_its_own_line() {
+    let text = b"\"\n\0\0\0\0\0\0\0";
+    let (_, findings) = read_cloud("PC1.txt", text);
+    assert_eq!(findings[0].found, "the end of the line");
+    assert_eq!(read_cloud_by_pieces("PC1.txt", text, 1).1, findings);
+}
+
 /// A text that is made when it is asked for, and counts how much of it is.
 struct Made {
     path: &'static str,
