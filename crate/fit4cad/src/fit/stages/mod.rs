@@ -4,6 +4,7 @@
 mod contacts;
 mod halves;
 mod label;
+mod links;
 mod patches;
 mod polygon;
 mod prune;
@@ -11,7 +12,8 @@ mod prune;
 pub use contacts::split_contacts;
 pub use halves::join_halves;
 pub use label::{Labels, label};
-pub use patches::{FOURTH, Patch, STEPS, patches};
+pub use links::{FOURTH, STEPS};
+pub use patches::{Patch, patches};
 pub use prune::{held, prune};
 
 use super::Parameters;

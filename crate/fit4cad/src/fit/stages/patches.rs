@@ -13,25 +13,11 @@
 use super::super::Candidate;
 use super::super::search::Search;
 use super::label::Labels;
+use super::links::{FARTHEST, FOURTH, LINKS, Longest, REACH};
 use crate::cloud::Vector;
 use crate::cloud::neighbours::{Neighbour, is_gabriel_link};
 use crate::disjoint::DisjointSets;
 use crate::surface::Surface;
-
-/// Nearest points of the same surface that a point may link to.
-const LINKS: usize = 12;
-/// Longest link, in spacings of the cloud, that needs no other reason. Clouds that were sampled at random have
-/// holes of six.
-const REACH: f64 = 8.0;
-/// And the longest on a face that is narrower than the spacing, so that its points are as far apart as these
-/// links on the average of a third.
-const FARTHEST: f64 = 24.0;
-/// Neighbours on the face by which a point's own spacing is measured.
-pub const FOURTH: usize = 4;
-/// Longest link in distances of the fourth nearest on the face. Where points are spread at random over an
-/// area the fourth is 2.3 spacings off, so that this says the same as `REACH`; of points at random on a line
-/// one gap in six hundred is longer.
-pub const STEPS: f64 = 3.5;
 
 /// One connected piece of a surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +36,7 @@ pub fn patches(
     labels: &Labels,
     smallest: usize,
 ) -> Vec<Patch> {
+    let longest = Longest::of(search, labels);
     let mut patches = Vec::new();
     let mut place = vec![u32::MAX; search.cloud.len()];
     for (surface, candidate) in (0u32..).zip(candidates) {
@@ -59,6 +46,7 @@ pub fn patches(
         }
         let face = Face {
             search,
+            longest,
             candidates,
             labels,
             surface,
@@ -87,6 +75,8 @@ pub fn patches(
 /// The points of one surface.
 struct Face<'a> {
     search: &'a Search<'a>,
+    /// The longest of its links.
+    longest: Longest,
     candidates: &'a [Candidate],
     labels: &'a Labels,
     /// Which of the candidates.
@@ -114,35 +104,35 @@ impl Face<'_> {
         let roles: Vec<Role> = self.points.iter().map(|&index| self.role(index)).collect();
         let mut sets = DisjointSets::new(self.points.len());
         let mut near = Vec::with_capacity(LINKS + 1);
-        let usual = REACH * self.search.scale.spacing;
-        let mut reach = vec![0.0; self.points.len()];
-        let mut long: Vec<(u32, u32, f64)> = Vec::new();
+        let farthest = FARTHEST * self.search.scale.spacing;
+        let mut own = vec![0.0; self.points.len()];
+        let mut links: Vec<(u32, u32, f64)> = Vec::new();
+        let mut longest: Vec<f64> = Vec::with_capacity(self.points.len());
         for (position, &index) in (0u32..).zip(self.points) {
             if matches!(roles[position as usize], Role::Corner) {
                 continue;
             }
             let point = self.search.point(index);
-            self.near(index, FARTHEST, &mut near);
+            self.near(index, farthest, &mut near);
             let fourth = near.get(FOURTH - 1).or(near.last());
-            let fourth = fourth.map_or(0.0, |n| n.distance_squared.sqrt());
-            reach[position as usize] = STEPS * fourth;
+            own[position as usize] = fourth.map_or(0.0, |n| n.distance_squared.sqrt());
+            let before = links.len();
             for (rank, neighbour) in near.iter().enumerate() {
                 let other = self.place[neighbour.index as usize];
                 let end = self.search.point(neighbour.index);
                 let nearer = near[..rank].iter().map(|n| self.search.point(n.index));
                 if self.links(&roles, position, other) && is_gabriel_link(point, end, nearer) {
-                    let length = neighbour.distance_squared.sqrt();
-                    if length <= usual {
-                        sets.join(position as usize, other as usize);
-                    } else if length <= STEPS * fourth {
-                        long.push((position, other, length));
-                    }
+                    links.push((position, other, neighbour.distance_squared.sqrt()));
                 }
             }
+            // The nearest come first.
+            longest.extend(links.get(before..).and_then(<[_]>::last).map(|link| link.2));
         }
-        // Both ends must be as sparse: a pad of few points beside a large face is another.
-        for (from, to, length) in long {
-            if length <= reach[to as usize] {
+        let allowed = self.longest.on_face(&mut longest);
+        for (from, to, length) in links {
+            // Both ends must be as sparse: a pad of few points beside a large face is another.
+            let sparser = own[from as usize].min(own[to as usize]);
+            if length <= allowed.max(self.longest.steps * sparser) {
                 sets.join(from as usize, to as usize);
             }
         }
@@ -150,7 +140,7 @@ impl Face<'_> {
         sets.groups(self.points.iter().copied())
     }
 
-    /// The nearest points of the face, nearest first, within so many spacings.
+    /// The nearest points of the face, nearest first, within a radius.
     fn near(&self, index: u32, radius: f64, near: &mut Vec<Neighbour>) {
         let is_on = |i: u32| self.place[i as usize] != u32::MAX;
         let point = self.search.point(index);
@@ -164,7 +154,6 @@ impl Face<'_> {
             }));
             return;
         }
-        let radius = radius * self.search.scale.spacing;
         let is_other = |i: u32| i != index && is_on(i);
         self.search
             .tree
@@ -195,7 +184,7 @@ impl Face<'_> {
     fn attach(&self, roles: &[Role], sets: &mut DisjointSets, near: &mut Vec<Neighbour>) {
         for (position, &index) in (0u32..).zip(self.points) {
             if matches!(roles[position as usize], Role::Corner) {
-                self.near(index, REACH, near);
+                self.near(index, REACH * self.search.scale.spacing, near);
                 let mut places = near.iter().map(|n| self.place[n.index as usize]);
                 let nearest = places.find(|&p| !matches!(roles[p as usize], Role::Corner));
                 if let Some(nearest) = nearest {
