@@ -27,7 +27,7 @@ pub const STEPS: f64 = 3.5;
 /// Share of the points within faces whose longest link is no longer than what is usual. Spread at random, a point has
 /// 4 exp(-λπr²/4) Gabriel links longer than r on the average: one in a thousand has one of 3.1 distances of the fourth
 /// and 5.5 spacings. As measured: 1.8 and 2.5 for points spread evenly (Poisson discs), 1.6 and 1.9 for vertices of
-/// meshes. On ten CAD parts sampled evenly, 1.15 times that joins a third of the faces it parts.
+/// meshes. On ten CAD parts sampled evenly that gains 0.012 of mean DSC, 1.15 times as much 0.007.
 const USUAL: f64 = 0.999;
 /// Points below which that share says nothing.
 const ENOUGH: usize = 1000;
