@@ -217,7 +217,7 @@ fn of_a_large_cloud_so_many_points_are_fitted_and_all_are_labelled() {
             &found.segmentation,
             Protocol::Definition,
         );
-        let dsc = report.mean(Measure::Dsc).unwrap();
+        let dsc = report.mean[Measure::Dsc].unwrap();
         assert!(dsc > 0.97, "{method:?}: {dsc}");
         let labelled: BTreeSet<u32> = found
             .segmentation
