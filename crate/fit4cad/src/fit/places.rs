@@ -96,7 +96,9 @@ impl<'a> Places<'a> {
 
     /// Turns what was found in [`cloud`](Self::cloud) into what that says about the whole cloud, largest
     /// first. A point that was left out is on those surfaces of the point that stands for it which pass
-    /// through itself too; where none does, on those of the nearest neighbour that has such.
+    /// through itself too; where none does, on those of the nearest neighbour that has such. Where a cloud is thinned,
+    /// edges run between the points that are kept: there a point is also on a neighbour's surface which passes through
+    /// itself, but not through what stands for it.
     pub fn unfold(&self, search: &Search<'_>, found: Segmentation) -> Segmentation {
         let kept = &self.kept;
         let mut primitives = found.primitives;
@@ -112,15 +114,25 @@ impl<'a> Places<'a> {
             }
             let stands_for_itself = search.point(place) == point;
             let near = search.graph.of(place).iter().copied();
+            let passes = |number: u32, point: &Point| {
+                let is_near = |it: Surface| it.distance(point) <= search.scale.tolerance;
+                primitives[number as usize].surface.is_some_and(is_near)
+            };
+            through.clear();
+            let mut first = None;
             for at in std::iter::once(place).chain(near) {
-                through.clear();
-                through.extend(holders.of(at).filter(|&number| {
-                    let surface = primitives[number as usize].surface;
-                    let is_near = |it: Surface| it.distance(point) <= search.scale.tolerance;
-                    stands_for_itself || surface.is_some_and(is_near)
-                }));
-                if stands_for_itself || !through.is_empty() {
+                for number in holders.of(at) {
+                    let goes_on = |from: u32| passes(number, search.point(from));
+                    let is_new = !through.contains(&number) && !first.is_some_and(goes_on);
+                    if is_new && (stands_for_itself || passes(number, point)) {
+                        through.push(number);
+                    }
+                }
+                if stands_for_itself || (!through.is_empty() && !self.thinned) {
                     break;
+                }
+                if first.is_none() && !through.is_empty() {
+                    first = Some(at);
                 }
             }
             for &number in &through {
