@@ -1,53 +1,31 @@
-// Tasks of a page's own thread that take long, and how much of each it waits for the renderer.
+// Tasks of a page's own thread: how long each kept it, and how much of that it worked.
 
-/** @typedef {{ start: number, duration: number, drawing: number }} Task in milliseconds */
-/** @typedef {Window & { longTasks: [number, number][], drawn: [number, number][] }} Watched the page's window with what is taken in it */
+/** @typedef {{ wall: number, own: number }} Task milliseconds on the clock, and of the processor */
+/** @typedef {{ name: string, ph: string, pid: number, tid: number, dur?: number, tdur?: number }} Traced */
 
-/** Runs in the page before anything of it does: takes long tasks, and when the renderer is called and for how long. */
-export function drawingApart() {
-  /** @type {[number, number][]} */
-  const longTasks = [];
-  /** @type {[number, number][]} */
-  const drawn = [];
-  Object.assign(window, { longTasks, drawn });
-  new PerformanceObserver((list) => {
-    for (const { startTime, duration } of list.getEntries()) longTasks.push([startTime, duration]);
-  }).observe({ type: "longtask", buffered: true });
-  /** Calls of less are too many to hold, and too short to tell. */
-  const SHORT_MS = 0.2;
-  /** @param {(this: unknown, ...details: unknown[]) => unknown} call */
-  const timed = (call) =>
-    /** @this {unknown} @param {unknown[]} details */
-    function (...details) {
-      const start = performance.now();
-      const value = call.apply(this, details);
-      const took = performance.now() - start;
-      if (took > SHORT_MS) drawn.push([start, took]);
-      return value;
-    };
-  /** @param {object} owner @param {string} name */
-  const wrap = (owner, name) => {
-    const found = Object.getOwnPropertyDescriptor(owner, name);
-    if (!found) return;
-    if (typeof found.value === "function") Object.defineProperty(owner, name, { ...found, value: timed(found.value) });
-    // A canvas that changes its size waits for what is drawn on it.
-    else if (found.set) Object.defineProperty(owner, name, { ...found, set: timed(found.set) });
-  };
-  for (const name of Object.getOwnPropertyNames(WebGL2RenderingContext.prototype)) wrap(WebGL2RenderingContext.prototype, name);
-  for (const name of ["getContext", "width", "height"]) wrap(HTMLCanvasElement.prototype, name);
-}
+/** What tells of tasks, and of the marks that a page sets. */
+const CATEGORIES = ["toplevel", "blink.user_timing"];
+/** Set by the page, so that its thread is told from those of the browser's own pages. */
+const MARK = "this is the page";
 
 /**
- * The long tasks so far.
+ * The tasks of the page's own thread while `act` goes on. Waiting for a renderer, and for a processor that others are
+ * using, is in their time on the clock and not in that of the processor.
  * @param {import("@playwright/test").Page} page
+ * @param {() => Promise<unknown>} act
  * @returns {Promise<Task[]>}
  */
-export function tasksOf(page) {
-  return page.evaluate(() => {
-    const { longTasks, drawn } = /** @type {Watched} */ (/** @type {unknown} */ (window));
-    return longTasks.map(([start, duration]) => {
-      const within = drawn.filter(([at]) => at >= start && at < start + duration);
-      return { start, duration, drawing: within.reduce((sum, [, took]) => sum + took, 0) };
-    });
-  });
+export async function tasksWhile(page, act) {
+  const browser = page.context().browser();
+  if (!browser) throw new Error("the page is in no browser");
+  await browser.startTracing(page, { categories: CATEGORIES });
+  await act();
+  await page.evaluate((mark) => performance.mark(mark), MARK);
+  /** @type {{ traceEvents: Traced[] }} */
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString("utf8"));
+  const own = traceEvents.find(({ name }) => name === MARK);
+  if (!own) throw new Error("the page's thread is not in the trace");
+  return traceEvents
+    .filter(({ name, ph, pid, tid }) => ph === "X" && name.endsWith("RunTask") && pid === own.pid && tid === own.tid)
+    .map(({ dur = 0, tdur = 0 }) => ({ wall: dur / 1000, own: tdur / 1000 }));
 }

@@ -57,7 +57,8 @@ export function proposal(asked: Omit<FitDone, "seconds">, done: readonly FitDone
   if (estimate(asked, done).to < LONG_SECONDS) return undefined;
   const all = SUBSAMPLES.filter((points) => points < asked.points / 2).map((points) => {
     const { seconds, from, to, fits } = estimate({ ...asked, points }, done);
-    const labelled = EACH_LABELLED * asked.points;
+    // As much faster or slower as fits are here.
+    const labelled = EACH_LABELLED * asked.points * (seconds / usual(points));
     return { points, estimate: { seconds: seconds + labelled, from: from + labelled, to: to + labelled, fits } };
   });
   return all.find(({ estimate: { to } }) => to <= SHORT_SECONDS) ?? all.at(-1);

@@ -183,9 +183,9 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
 }
 
 function remember(model: string, { method, parameters }: FitRequest, seconds: number): void {
-  const all = pointsOf(modelById(model));
-  if (all === undefined) return;
-  const points = Math.min(all, parameters["subsample"] || Infinity);
+  const points = pointsOf(modelById(model));
+  // Where all points are labelled by a fit of some, its time tells little of another's.
+  if (points === undefined || points > (parameters["subsample"] || Infinity)) return;
   fitsDone.value = [...fitsDone.peek(), { method, model, points, seconds }].slice(-MOST_REMEMBERED);
 }
 
