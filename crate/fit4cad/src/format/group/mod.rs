@@ -6,6 +6,7 @@ mod naming;
 mod natural;
 mod pieces;
 mod placing;
+mod settling;
 
 #[cfg(test)]
 mod tests;
