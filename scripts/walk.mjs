@@ -11,10 +11,12 @@ import { setup } from "./setup.mjs";
 
 /** @typedef {import("@playwright/test").Page} Page */
 
-/** Phone, small and usual laptop, large screen; the last as a laptop at 200 % shows it. */
+/** Phone, tablet, small and usual laptop, large screen; the last as a laptop at 200 % shows it. */
 const WINDOWS = [
   { name: "360", width: 360, height: 740 },
+  { name: "768", width: 768, height: 1024 },
   { name: "1366", width: 1366, height: 768 },
+  { name: "1440", width: 1440, height: 900 },
   { name: "1920", width: 1920, height: 1080 },
   { name: "200-percent", width: 720, height: 450 },
 ];
@@ -44,8 +46,9 @@ const STATES = {
   share: { at: "", act: key("s") },
   keys: { at: "", act: key("?") },
   ...Object.fromEntries(
-    ["primitives", "overlooked", "charts", "fit", "diagnostics", "audit", "comparison", "field", "files"].map((id) => [id, { at: "", act: panel(id) }]),
+    ["primitives", "overlooked", "charts", "fit", "diagnostics", "audit", "comparison", "field", "section", "files"].map((id) => [id, { at: "", act: panel(id) }]),
   ),
+  results: { at: "?page=results" },
   lessons: { at: "?page=lessons" },
   ...Object.fromEntries(
     ["score", "hough", "growing", "forms", "protocols", "cad"].map((id) => [`lesson-${id}`, { at: `?page=lesson-${id}`, act: live }]),

@@ -9,7 +9,7 @@ export const name = "size";
 export const about = "wasm as served";
 
 const MODULES = [
-  { label: "scorer", path: "www/generated/scorer/scorer_bg.wasm", most: 350 },
+  { label: "scorer", path: "www/generated/scorer/scorer_bg.wasm", most: 190 },
   { label: "whole engine", path: "www/generated/engine/engine_bg.wasm" },
   { label: "STEP", path: "www/generated/cad/cad_bg.wasm" },
   { label: "view", path: "www/generated/view/view_bg.wasm" },

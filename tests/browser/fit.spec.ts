@@ -182,3 +182,20 @@ for (const [name, width, height, colorScheme] of [
     await picture(page, `fit-${name}`);
   });
 }
+
+test("where a fit may take minutes, one of some points is proposed that takes seconds and labels all", async ({ page }) => {
+  test.setTimeout(300_000);
+  await open(page);
+  const side = 875;
+  const points = Array.from({ length: side * side }, (_, at) => `${at % side} ${Math.floor(at / side)} 0`).join("\n");
+  const folder = test.info().outputPath("large");
+  await writeAll(folder, [{ path: "sheet.xyz", text: points }]);
+  await drop(page, [folder]);
+  await expect(page.locator(".stage-title")).toContainText("765,625 points", { timeout: 120_000 });
+  const panel = await openFit(page);
+  await expect(panel.getByTestId("fit-outlook")).toContainText(/200,000 of them take \d+ to 20 s; all points are labelled by what is found\./);
+  await panel.getByRole("button", { name: "Fit 200,000 of its points" }).click();
+  await expect(page.locator(".stage-head").getByRole("radio", { name: "HT on 200000 points" })).toBeChecked({ timeout: 120_000 });
+  await page.getByRole("tab", { name: "Primitives" }).click();
+  await expect(page.getByRole("tabpanel")).toContainText("765,625", { timeout: 60_000 });
+});

@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { zipSync } from "fflate";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
-import { filesOf, METHOD, scoreOf } from "./support/engine";
+import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
 import { dragging, drop, writeAll } from "./support/drop";
 
 const SECOND = "_primitives_";
@@ -168,6 +168,28 @@ test("a file that fits nowhere is listed, and placed by hand", async ({ page }) 
   await page.getByLabel(/^What .*scan from the lab/).selectOption("cloud");
   await page.getByRole("tab", { name: "Measures" }).click();
   await expect(row(page, "PC4")).toBeVisible();
+});
+
+test("primitives of no model are recognised, and used as a submission for one; Files lists the files of all", async ({ page }) => {
+  const folder = test.info().outputPath("two");
+  const one = filesOf("bracket", "PC4");
+  const truth = ({ path }: Fixture) => !path.includes("Imperfect");
+  const renamed = one.filter((file) => !truth(file)).map(({ path, text }) => ({ path: path.replace("PC4", "lab"), text }));
+  await writeAll(folder, [...one.filter(truth), ...filesOf("flange", "PC5").filter(truth), ...renamed]);
+  await open(page);
+  await drop(page, [folder]);
+  await page.getByRole("tab", { name: /^Diagnostics/ }).click();
+  await page.getByLabel(/^These are primitives: use them as a submission for/).selectOption("PC4");
+  await page.getByRole("tab", { name: "Measures" }).click();
+  await expect(row(page, "PC4")).toContainText("Imperfect");
+
+  await page.getByRole("tab", { name: "Files" }).click();
+  const panel = page.getByRole("tabpanel");
+  await expect(panel.getByRole("row", { name: /PC5_primitives/ })).toHaveCount(0);
+  await panel.getByLabel("All 2 models").check();
+  await expect(panel.getByRole("row", { name: /PC5_primitives/ })).toHaveCount(1);
+  await expect(panel.getByRole("row", { name: /lab_primitives/ })).toHaveCount(1);
+  await expect(panel.locator("caption")).toHaveText("Files of every model, after those that belong to none");
 });
 
 test("pasted text is a file like any other", async ({ page }) => {

@@ -3,7 +3,7 @@ import type { Response } from "@playwright/test";
 import { expect, open, rows, test } from "./support/test";
 
 /** The most that a first visit may take before the page is in use, in bytes as served. */
-const FIRST_LOAD = 375_000;
+const FIRST_LOAD = 325_000;
 
 test("after the first visit the page opens, scores and shows every panel without a network", async ({ page, context }) => {
   await open(page);
@@ -39,7 +39,7 @@ test("the page asks nobody but its own host for anything", async ({ page, baseUR
   expect(refused).toEqual([]);
 });
 
-test("a first visit fetches at most 375 kB, and neither charts nor fitters before they are wanted", async ({ browser }) => {
+test("a first visit fetches at most 325 kB, and neither charts nor fitters before they are wanted", async ({ browser }) => {
   // The service worker fetches the rest later, when the page is in use.
   const context = await browser.newContext({ serviceWorkers: "block" });
   const page = await context.newPage();

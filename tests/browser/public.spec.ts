@@ -3,7 +3,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import type { Locator, Page, Route } from "@playwright/test";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
-import { zipOf } from "./support/drop";
+import { drop, writeAll, zipOf } from "./support/drop";
 import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
 import { claims, linkOf, openLink } from "./support/sharing";
 
@@ -61,6 +61,22 @@ test("the link of public models fetches what the sharer looked at, and the rest 
   await expect(page.locator(".stage h2")).toHaveText("PC2");
   // The training set has a PC2 as well.
   expect(asked.every((path) => !path.includes("training_set"))).toBe(true);
+});
+
+test("a submission that comes alone for a public model is offered the public cloud", async ({ page }) => {
+  const files = filesOf("bracket", "PC7");
+  const asked = await serve(page, PUBLIC, training(files));
+  await open(page);
+  const folder = test.info().outputPath("mine");
+  await writeAll(folder, files.filter(({ path }) => path.includes(METHOD)));
+  await drop(page, [folder]);
+  await page.getByRole("tab", { name: /^Diagnostics/ }).click();
+  await expect(page.getByRole("button", { name: "Get PC7 of the test set" })).toBeVisible();
+  expect(asked).toEqual([]);
+  await page.getByRole("button", { name: "Get PC7 of the training set" }).click();
+  await expect(row(page, "PC7")).toHaveCount(0);
+  await page.getByRole("tab", { name: "Measures" }).click();
+  await expect(row(page, "PC7")).toContainText(METHOD);
 });
 
 test("a missing file is named and the rest is scored", async ({ page, complaints }) => {

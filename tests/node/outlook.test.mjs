@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { pageModule } from "./page.mjs";
 
-const { estimate, range, roughly, together } = await pageModule("fit/estimate.ts");
+const { estimate, pointsFitted, proposal, range, roughly, together } = await pageModule("fit/estimate.ts");
 
 /** @param {object} [change] */
 const done = (change) => ({ method: "ht", model: "PC1", points: 100_000, seconds: 1, ...change });
@@ -41,4 +41,20 @@ test("spans of time are as rough as they are known", () => {
     [[0.1, 0.5], [0.4, 6], [2, 9], [40, 200], [61, 70]].map(([from, to]) => range({ from, to })),
     ["under 1 s", "up to 6 s", "2 to 9 s", "40 s to 3 min", "60 to 70 s"],
   );
+});
+
+test("where a fit may take minutes, one of so many points that it takes seconds is proposed", () => {
+  assert.equal(proposal(asked, []), undefined);
+  const large = { ...asked, points: 3_000_000 };
+  const small = proposal(large, []);
+  assert.equal(small.points, 100_000);
+  assert.ok(estimate(large, []).to > 60 && small.estimate.to < 30, `${small.estimate.to}`);
+  // Where fits are known to be quick here, nobody has to do with less.
+  assert.equal(proposal(large, [1, 1.1, 1].map((seconds) => done({ seconds: seconds / 2 }))), undefined);
+  // Where they are slow, even fewer points; and never so few that it would be no other fit.
+  assert.equal(proposal(large, [done({ seconds: 20 })]).points, 50_000);
+});
+
+test("a subsample is no more than the cloud has", () => {
+  assert.deepEqual([{}, { subsample: 0 }, { subsample: 50 }, { subsample: 500 }].map((parameters) => pointsFitted(100, { parameters })), [100, 100, 50, 100]);
 });

@@ -110,6 +110,16 @@ function written(model: Pick<Model, "write">, name: string, method?: string): Mo
   ];
 }
 
+/** The files of a part that was made, with those of a submission that is wrong on purpose. */
+function sampled(model: Pick<Model, "imperfect" | "write" | "free">, name: string, seed: number | bigint = 1): WrittenFiles {
+  try {
+    const method = model.imperfect(Number(seed));
+    return { name, files: [...written(model, name), ...written(model, name, method)] };
+  } finally {
+    model.free();
+  }
+}
+
 /** Passes on each new stage, and what is done of it a few times a second: every message costs the page time. */
 function paced(onStage: OnStage): OnStage {
   let last = { stage: "", at: -Infinity };
@@ -223,15 +233,13 @@ const worker: EngineWorker = {
     return { cloud: path("cloud"), primitives: path("primitives"), parametric: path("parametric"), implicit: path("implicit") };
   },
 
-  async generate(part, options, name): Promise<WrittenFiles> {
+  async opening(name) {
     await ready;
-    const model = Model.generate(part, options);
-    try {
-      const method = model.imperfect(Number(options.seed ?? 1));
-      return { name, files: [...written(model, name), ...written(model, name, method)] };
-    } finally {
-      model.free();
-    }
+    return sampled(Model.opening(), name);
+  },
+
+  async generate(part, options, name) {
+    return sampled((await wholeEngine()).Model.generate(part, options), name, options.seed);
   },
 
   async export(source, method, form) {

@@ -164,6 +164,8 @@ export type OnStage = (stage: string, fraction: number) => void;
 export interface EngineWorker {
   version(): Promise<string>;
   group(paths: string[], overrides: Record<string, Override>): Promise<Grouping>;
+  /** The part that the page opens with, as `generate` makes it without options. */
+  opening(name: string): Promise<WrittenFiles>;
   /** Makes a sample part: the four files of its truth and those of an imperfect submission, called by `name`. */
   generate(part: string, options: SampleOptions, name: string): Promise<WrittenFiles>;
   /** The primitives of a method, or of the truth, in a form of other programs: a name of the declared exports. */

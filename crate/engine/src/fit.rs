@@ -38,7 +38,7 @@ pub struct FitParameters(#[tsify(type = "Record<string, number>")] pub BTreeMap<
 #[wasm_bindgen]
 impl Model {
     /// Fits primitives to the bare cloud and keeps them as a submission; gives its name, which is
-    /// that of the method, with a number if it is taken. The same cloud, parameters and seed give
+    /// that of the method, with the number of points where only some were fitted, and one behind it if it is taken. The same cloud, parameters and seed give
     /// the same primitives. `progress` hears the stage and how much of it is done; what it throws
     /// ends the fit and reaches the caller.
     ///
@@ -69,7 +69,7 @@ impl Model {
             let thrown = listener.thrown.take();
             thrown.unwrap_or_else(|| JsError::from(cancelled).into())
         })?;
-        let name = self.free_name(method.title());
+        let name = self.free_name(&fitted.title(method));
         self.model.submit(&name, fitted.segmentation);
         Ok(name)
     }

@@ -97,17 +97,18 @@ pub fn group(
     overrides: Option<Ts<Overrides>>,
 ) -> Result<Ts<Grouping>, JsError> {
     let overrides = overrides.map(|overrides| overrides.to_rust()).transpose()?;
-    let overrides = overrides.unwrap_or_default().0.into_iter();
-    let overrides = overrides.map(|(path, known)| {
-        let known = format::Override {
-            role: known.role.map(format::Role::from),
-            model: known.model,
-            method: known.method,
-            first: known.first,
+    // One by one: to be collected they would be sorted, by code of their own.
+    let mut known = BTreeMap::new();
+    for (path, said) in overrides.unwrap_or_default().0 {
+        let said = format::Override {
+            role: said.role.map(format::Role::from),
+            model: said.model,
+            method: said.method,
+            first: said.first,
         };
-        (path, known)
-    });
-    let grouping = format::group(&paths, &overrides.collect());
+        known.insert(path, said);
+    }
+    let grouping = format::group(&paths, &known);
     hand_over(&Grouping {
         models: grouping.models.into_iter().map(ModelFiles::from).collect(),
         unplaced: grouping.unplaced.into_iter().map(Unplaced::from).collect(),

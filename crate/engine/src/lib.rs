@@ -35,6 +35,7 @@ mod look;
 mod model;
 mod normals;
 mod outcome;
+#[cfg(feature = "workshop")]
 mod part;
 mod paths;
 mod primitive;
@@ -89,6 +90,7 @@ pub use lists::PointLists;
 pub use look::PatchMesh;
 pub use model::{BoundsInfo, Model, ModelInfo, Texts};
 pub use outcome::{Counted, Histogram};
+#[cfg(feature = "workshop")]
 pub use part::SampleOptions;
 pub use paths::{Layout, file_name, path_of};
 pub use primitive::{PrimitiveInfo, SurfaceInfo, SurfaceType};

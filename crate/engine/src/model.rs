@@ -20,7 +20,6 @@ use crate::fitted::{Fitted, give_surfaces};
 use crate::hand_over;
 use crate::input::InputFile;
 use crate::lists::PointLists;
-use crate::part::{SampleOptions, Wear};
 use crate::primitive::PrimitiveInfo;
 use crate::report::{Protocol, Report};
 
@@ -114,13 +113,17 @@ impl Model {
         let mut reading = format::read_files(name, &files, &READERS);
         let fitted = give_surfaces(&mut reading, &files);
         let wants_whole = reading.unread || reading.bare.len() > fitted.len();
-        let submitted = files
-            .into_iter()
-            .filter_map(|file| file.method.map(|method| (file.path, method)));
+        // One by one: to be collected they would be sorted, by code of their own.
+        let mut method_of_file = BTreeMap::new();
+        for file in files {
+            if let Some(method) = file.method {
+                method_of_file.insert(file.path, method);
+            }
+        }
         Ok(Self {
             model: reading.model,
             diagnostics: reading.diagnostics,
-            method_of_file: submitted.collect(),
+            method_of_file,
             wants_whole,
             fitted,
         })
@@ -133,29 +136,12 @@ impl Model {
         self.wants_whole
     }
 
-    /// Makes a part of the generator's catalogue, named after it, with its truth.
+    /// The part that the page opens with: the first of the catalogue, as it is made without options.
     ///
     /// # Errors
-    /// If there is no such part, or an option is out of its range.
-    pub fn generate(part: &str, options: Ts<SampleOptions>) -> Result<Model, JsError> {
-        let options = sample::Options::from(options.to_rust()?);
-        Ok(Self::of(sample::generate(part, &options)?))
-    }
-
-    /// The model as a worse scan would show it, with its truth and without its submissions.
-    ///
-    /// # Errors
-    /// If an option is out of its range.
-    pub fn degraded(&self, wear: Ts<Wear>) -> Result<Model, JsError> {
-        let wear: Wear = wear.to_rust()?;
-        let seed = wear.seed.unwrap_or(sample::Options::default().seed);
-        Ok(Self {
-            model: sample::degraded(&self.model, &wear.into(), seed)?,
-            diagnostics: self.diagnostics.clone(),
-            method_of_file: BTreeMap::new(),
-            wants_whole: false,
-            fitted: Fitted::new(),
-        })
+    /// None in practice: this part can be made.
+    pub fn opening() -> Result<Model, JsError> {
+        Ok(Self::of(sample::opening()?))
     }
 
     /// What the model holds.
@@ -303,9 +289,14 @@ impl Model {
 impl Model {
     /// A model that comes from no file.
     pub(crate) fn of(model: model::Model) -> Self {
+        Self::with_findings(model, Vec::new())
+    }
+
+    /// A model made of one that comes from files with these findings.
+    fn with_findings(model: model::Model, diagnostics: Vec<Diagnostic>) -> Self {
         Self {
             model,
-            diagnostics: Vec::new(),
+            diagnostics,
             method_of_file: BTreeMap::new(),
             wants_whole: false,
             fitted: Fitted::new(),
@@ -322,6 +313,12 @@ impl Model {
             })
             .collect();
         Float32Array::from(relative.as_slice())
+    }
+
+    /// This model in another form, with what was found in its files.
+    #[cfg(feature = "workshop")]
+    pub(crate) fn remade(&self, model: model::Model) -> Self {
+        Self::with_findings(model, self.diagnostics.clone())
     }
 
     pub(crate) fn methods(&self) -> impl Iterator<Item = &str> {

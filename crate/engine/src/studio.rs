@@ -7,8 +7,9 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::hand_over;
 use crate::model::Model;
-use crate::{SampleOptions, hand_over};
+use crate::part::{SampleOptions, Wear};
 
 /// What a block does to the part so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Tsify)]
@@ -59,6 +60,25 @@ pub struct Thin {
 
 #[wasm_bindgen]
 impl Model {
+    /// Makes a part of the generator's catalogue, named after it, with its truth.
+    ///
+    /// # Errors
+    /// If there is no such part, or an option is out of its range.
+    pub fn generate(part: &str, options: Ts<SampleOptions>) -> Result<Model, JsError> {
+        let options = sample::Options::from(options.to_rust()?);
+        Ok(Self::of(sample::generate(part, &options)?))
+    }
+
+    /// The model as a worse scan would show it, with its truth and without its submissions.
+    ///
+    /// # Errors
+    /// If an option is out of its range.
+    pub fn degraded(&self, wear: Ts<Wear>) -> Result<Model, JsError> {
+        let wear: Wear = wear.to_rust()?;
+        let seed = wear.seed.unwrap_or(sample::Options::default().seed);
+        Ok(self.remade(sample::degraded(&self.model, &wear.into(), seed)?))
+    }
+
     /// Makes a part of blocks, first to last, with its truth.
     ///
     /// # Errors

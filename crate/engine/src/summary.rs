@@ -110,12 +110,15 @@ pub fn summarise(scores: Ts<Scores>) -> Result<Vec<Ts<MethodSummary>>, JsError> 
     let summaries = metrics::summarise(scores).into_iter();
     summaries
         .map(|summary| {
-            let over = |measure: Measure| {
-                let over = summary.over(measure)?;
-                Some((measure.name(), Distribution::from(over)))
-            };
+            // One by one: to be collected they would be sorted, by code of their own.
+            let mut over = BTreeMap::new();
+            for measure in Measure::ALL {
+                if let Some(distribution) = summary.over(measure) {
+                    over.insert(measure.name(), Distribution::from(distribution));
+                }
+            }
             hand_over(&MethodSummary {
-                over: Measure::ALL.into_iter().filter_map(over).collect(),
+                over,
                 models: summary.models as u32,
                 type_errors: summary.type_errors as u32,
                 method: summary.method.clone(),

@@ -48,7 +48,8 @@ pub(crate) fn parameters_of(method: Method, given: &BTreeMap<String, f64>) -> Py
     Ok(parameters)
 }
 
-/// Fits primitives to a cloud; `progress(stage, fraction)` hears how far it is, and what it raises ends the fit.
+/// Fits primitives to a cloud, and says what the answer is called; `progress(stage, fraction)` hears how far it is, and
+/// what it raises ends the fit.
 #[pyfunction]
 #[pyo3(signature = (cloud, method, parameters, seed = 1, progress = None))]
 pub(crate) fn fit(
@@ -58,7 +59,7 @@ pub(crate) fn fit(
     parameters: BTreeMap<String, f64>,
     seed: u32,
     progress: Option<Py<PyAny>>,
-) -> PyResult<Segmentation> {
+) -> PyResult<(Segmentation, String)> {
     let method = method_of(method)?;
     let parameters = parameters_of(method, &parameters)?;
     let mut listener = Listener::new(progress);
@@ -72,7 +73,10 @@ pub(crate) fn fit(
         )
     });
     match fitted {
-        Ok(fitted) => Ok(fitted.segmentation.into()),
+        Ok(fitted) => {
+            let title = fitted.title(method);
+            Ok((fitted.segmentation.into(), title))
+        }
         Err(cancelled) => Err(listener.raised.unwrap_or_else(|| refused(cancelled))),
     }
 }

@@ -162,15 +162,17 @@ fn shuffled(n: u32) -> Vec<u32> {
 fn spacing(shuffled: &[Vec3], bounds: &Bounds) -> f32 {
     const PAIRS: usize = 20_000_000;
     let sample = (PAIRS / shuffled.len().max(1)).clamp(1, 256);
-    let mut distances: Vec<f32> = shuffled
+    // Squares are not negative, so that their bits are in their order: whole numbers have one sort, compiled once.
+    let mut squares: Vec<u32> = shuffled
         .iter()
         .take(sample)
         .map(|point| fourth_nearest(point, shuffled))
         .filter(|square| square.is_finite())
+        .map(f32::to_bits)
         .collect();
-    distances.sort_unstable_by(f32::total_cmp);
-    match distances.get(distances.len() / 2) {
-        Some(square) => square.sqrt(),
+    squares.sort_unstable();
+    match squares.get(squares.len() / 2) {
+        Some(&square) => f32::from_bits(square).sqrt(),
         None => bounds.diagonal() * 0.01,
     }
 }
@@ -179,10 +181,13 @@ fn spacing(shuffled: &[Vec3], bounds: &Bounds) -> f32 {
 fn fourth_nearest(point: &Vec3, points: &[Vec3]) -> f32 {
     let mut nearest = [f32::INFINITY; 4];
     for other in points {
-        let square = point.distance_squared(*other);
+        let mut square = point.distance_squared(*other);
         if square > 0.0 && square < nearest[3] {
-            nearest[3] = square;
-            nearest.sort_unstable_by(f32::total_cmp);
+            for place in &mut nearest {
+                if square < *place {
+                    std::mem::swap(place, &mut square);
+                }
+            }
         }
     }
     nearest[3]

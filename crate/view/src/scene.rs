@@ -213,7 +213,8 @@ impl Scene {
                 greatest,
             },
             PointSize::Pixels(pixels) => {
-                let pixels = (pixels * ratio * growth.sqrt()).clamp(1.0, greatest);
+                // Not `clamp`: where its bounds are not known beforehand it brings along what prints numbers, 9 kB.
+                let pixels = (pixels * ratio * growth.sqrt()).min(greatest).max(1.0);
                 PointScale {
                     diameter: 0.0,
                     least: pixels,

@@ -7,7 +7,8 @@ import { FITTERS } from "../../generated/declared/fitters.js";
 import { published, TEST_MODELS } from "../../shared/published/figures.mjs";
 import { matchOf, type Match, type Said } from "../../shared/published/match.mjs";
 import { PUBLISHED_METHODS, type PublishedMethod } from "../../shared/published/methods.mjs";
-import type { Difference, Measure } from "../engine/contract";
+import type { Sheets } from "../../shared/formats/sheet.mjs";
+import type { Comparison, Difference, Measure } from "../engine/contract";
 import { ExplainButton } from "../measures/explain";
 import { MEASURES } from "../measures/measures";
 import { rulesOf } from "../measures/protocols";
@@ -17,10 +18,12 @@ import { notify } from "../state/notices";
 import { protocol } from "../state/settings";
 import { words } from "../ui/columns";
 import * as format from "../ui/format";
-import { Table, type Column } from "../ui/table";
+import { sorted, Table, type Column, type Sorting } from "../ui/table";
 import { comparing, type Pair } from "./compare";
 import { DifferenceMark } from "./difference";
 import type { Candidate } from "./candidate";
+import { SaveButtons } from "./save";
+import { sheetsOf } from "./sheet";
 import { Which } from "./which";
 
 const chosenOwn = signal<string | undefined>(undefined);
@@ -53,6 +56,15 @@ const candidates = computed<readonly Candidate[]>(() =>
 
 const rows = computed(() => candidates.value.filter((candidate): candidate is Row => candidate.match.kind === "matched"));
 
+/** What the two are called: those of one name are told apart. */
+const sides = computed(() => {
+  const [own, theirs] = [ownMethod.value ?? "", theirMethod.value];
+  return { own: own === theirs ? `your ${own}` : own, theirs: `the published ${theirs}` };
+});
+
+/** The largest losses first: what is to be looked at. */
+const sorting = signal<Sorting | undefined>({ column: "DSC" satisfies Measure, descending: false });
+
 function pairOf({ report, match }: Row): Pair {
   return {
     own: (measure) => report.mean[measure],
@@ -69,6 +81,19 @@ function follow(): () => void {
   });
 }
 
+/** The largest difference of each measure, without its sign. */
+const largest = computed(() => {
+  const known = compared.value?.by ?? new Map<Measure, Comparison>();
+  const of = ({ differences }: Comparison) => Math.max(...differences.map((difference) => Math.abs(difference?.by ?? 0)));
+  return new Map([...known].map(([measure, comparison]) => [measure, of(comparison)]));
+});
+
+function heatOf(row: Row, measure: Measure): { outcome: "better" | "worse"; share: number } | undefined {
+  const difference = differenceOf(row, measure);
+  if (!difference || difference.outcome === "even") return undefined;
+  return { outcome: difference.outcome, share: Math.abs(difference.by) / (largest.value.get(measure) ?? Infinity) };
+}
+
 /** The engine's difference for a row; nothing until it has answered. */
 function differenceOf(row: Row, measure: Measure): Difference | null | undefined {
   const known = compared.value;
@@ -79,7 +104,8 @@ function titleOf(row: Row, measure: Measure): string {
   const { own, theirs } = pairOf(row);
   const printed = published(row.match.model, theirMethod.value, "paper", measure);
   const paper = printed === null || protocol.value === "definition" ? "" : `, ${printed} in the paper`;
-  return `${format.measure(measure, own(measure))} against ${format.measure(measure, theirs(measure))}${paper}`;
+  const figures = `${format.measure(measure, own(measure))} against ${format.measure(measure, theirs(measure))}${paper}`;
+  return `${figures}: ${sides.value.own} against ${sides.value.theirs}`;
 }
 
 const COLUMNS: readonly Column<Row>[] = [
@@ -100,6 +126,7 @@ const COLUMNS: readonly Column<Row>[] = [
       numeric: true,
       cell: (row) => <DifferenceMark measure={measure} difference={differenceOf(row, measure)} />,
       sortBy: (row) => differenceOf(row, measure)?.by,
+      heat: (row) => heatOf(row, measure),
       title: (row) => titleOf(row, measure),
     }),
   ),
@@ -117,7 +144,7 @@ export default function ComparisonPanel(): JSX.Element {
           <select value={own} onChange={(event) => (chosenOwn.value = event.currentTarget.value)}>
             {methods.value.map((name) => (
               <option key={name} value={name}>
-                {name}
+                {name === theirMethod.value ? `your ${name}` : name}
               </option>
             ))}
           </select>
@@ -139,17 +166,19 @@ export default function ComparisonPanel(): JSX.Element {
           The published result files, scored anew{" "}
           {rulesOf(protocol.value)}.
         </p>
+        {rows.value.length > 0 && <SaveButtons name={`fit4cad-${own}-against-published-${theirMethod.value}`} sheets={saved} />}
       </div>
       {rows.value.length > 0 ? (
         <Table
           className="scores differences"
-          caption={`${own} minus ${theirMethod.value}: ▲ better, ▼ worse. ${format.plural(rows.value.length, "model")}.`}
+          caption={`${format.capitalised(sides.value.own)} minus ${sides.value.theirs}: ▲ better, ▼ worse, shaded by how much. ${format.plural(rows.value.length, "model")}; a row opens its model.`}
+          sorting={sorting}
           columns={COLUMNS}
           rows={rows.value}
           keyOf={({ entry }) => entry.id}
           isSelected={({ entry }) => entry.id === selectedModel.value}
           onSelect={({ entry }) => selectModel(entry.id, own)}
-          foot={<Foot own={own} />}
+          foot={<Foot />}
         />
       ) : (
         <p class="empty">
@@ -161,7 +190,19 @@ export default function ComparisonPanel(): JSX.Element {
   );
 }
 
-function Foot({ own }: { own: string }): JSX.Element {
+/** What is saved: the rows as they are sorted, and their sums. */
+function saved(engine: string): Sheets {
+  const shown = sorted(rows.peek(), COLUMNS, sorting.peek()).map((row) => ({
+    ...pairOf(row),
+    model: row.entry.id,
+    test: row.match.model,
+    difference: (measure: Measure) => differenceOf(row, measure),
+  }));
+  const note = `Fit4CAD Playground ${engine}: ${sides.peek().own} and ${sides.peek().theirs}, scored anew ${rulesOf(protocol.peek())}`;
+  return sheetsOf(sides.peek(), shown, compared.peek()?.by ?? new Map<Measure, Comparison>(), note);
+}
+
+function Foot(): JSX.Element {
   const of = (measure: Measure) => compared.value?.by.get(measure);
   const line = (head: string, cell: (measure: Measure) => JSX.Element | string) => (
     <tr>
@@ -185,8 +226,8 @@ function Foot({ own }: { own: string }): JSX.Element {
         return better + worse + even === 0 ? format.MISSING : `${better}, ${worse}, ${even}`;
       })}
       {line("p (Wilcoxon)", (measure) => format.probability(of(measure)?.test?.probability))}
-      {line(`Mean of ${own}`, (measure) => format.measure(measure, of(measure)?.own))}
-      {line(`Mean of ${theirMethod.value}`, (measure) => format.measure(measure, of(measure)?.theirs))}
+      {line(`Mean of ${sides.value.own}`, (measure) => format.measure(measure, of(measure)?.own))}
+      {line(`Mean of ${sides.value.theirs}`, (measure) => format.measure(measure, of(measure)?.theirs))}
     </>
   );
 }

@@ -20,7 +20,7 @@ export const findings = computed<readonly Finding[]>(() => {
     message: reason,
     found: "",
     expected: "",
-    hint: brought.value.has(path) ? "Say what it is under Files, or rename it." : "",
+    hint: brought.value.has(path) ? "Say what it is, or rename it." : "",
   }));
   for (const entry of models.value) all.push(...findingsOf(entry));
   return all.sort((a, b) => RANK[a.severity] - RANK[b.severity]);

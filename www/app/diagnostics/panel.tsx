@@ -10,6 +10,7 @@ import { integer, plural } from "../ui/format";
 import { Icon } from "../ui/icon";
 import { Marked } from "../ui/marked";
 import { findings, grouped, placeOf, type Finding } from "./findings";
+import { Ways } from "./ways";
 
 const onlySelected = signal(false);
 
@@ -89,6 +90,7 @@ function Item({ group }: { group: readonly [Finding, ...Finding[]] }): JSX.Eleme
             <Marked text={hint} />
           </p>
         )}
+        {group[0].model === undefined && <Ways paths={group.map(({ file }) => file)} />}
         {group.slice(0, PLACES_AT_MOST).map((finding, place) => (
           <Place key={place} finding={finding} />
         ))}

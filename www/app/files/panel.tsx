@@ -1,15 +1,16 @@
 // Which file plays which part in which model, and correcting it by hand.
 
 import type { JSX } from "preact";
-import { computed } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { ROLES } from "../../generated/declared/roles.js";
 import type { Override, Role } from "../engine/contract";
 import { clear, remove } from "../state/contents";
 import { brought, ignored, override, overrides, unplaced } from "../state/inbox";
 import { keeping } from "../state/kept";
-import { modelById } from "../state/models";
+import { modelById, models } from "../state/models";
 import { selectedModel } from "../state/selection";
 import * as format from "../ui/format";
+import { Seen, type Place } from "../ui/seen";
 
 interface FileRow {
   readonly path: string;
@@ -22,17 +23,22 @@ interface FileRow {
   readonly made: boolean;
 }
 
+/** Whether the files of every model are listed, not of the selected one alone. */
+const everyModel = signal(false);
+
 const rows = computed<readonly FileRow[]>(() => {
-  const entry = modelById(selectedModel.value);
-  const placed = (entry?.source.files ?? []).map(
-    ({ path, role, method, data }): FileRow => ({
-      path,
-      model: entry?.id ?? "",
-      role,
-      method,
-      size: data.size,
-      made: !brought.value.has(path),
-    }),
+  const shown = everyModel.value ? models.value : models.value.filter(({ id }) => id === selectedModel.value);
+  const placed = shown.flatMap(({ id, source }) =>
+    source.files.map(
+      ({ path, role, method, data }): FileRow => ({
+        path,
+        model: id,
+        role,
+        method,
+        size: data.size,
+        made: !brought.value.has(path),
+      }),
+    ),
   );
   const rest = unplaced.value.map(
     ({ path, reason }): FileRow => ({
@@ -62,6 +68,12 @@ export default function FilesPanel(): JSX.Element {
           {ignored.value > 0 && `, ${format.plural(ignored.value, "litter file")} ignored`}
           <Kept />
         </p>
+        {models.value.length > 1 && (
+          <label class="check">
+            <input type="checkbox" checked={everyModel.value} onChange={(event) => (everyModel.value = event.currentTarget.checked)} />
+            All {format.plural(models.value.length, "model")}
+          </label>
+        )}
         {entry && (
           <button type="button" onClick={() => remove(entry.id)}>
             Remove {entry.id}
@@ -75,7 +87,7 @@ export default function FilesPanel(): JSX.Element {
         <p class="empty">No files.</p>
       ) : (
         <table>
-          <caption>{entry ? `Files of ${entry.id}, and those that belong to no model` : "Files"}</caption>
+          <caption>{caption(entry?.id)}</caption>
           <thead>
             <tr>
               <th scope="col">File</th>
@@ -88,16 +100,20 @@ export default function FilesPanel(): JSX.Element {
               <th scope="col">Correction</th>
             </tr>
           </thead>
-          <tbody>
-            {rows.value.map((row) => (
-              <Row key={row.path} row={row} />
-            ))}
-          </tbody>
+          <Seen as="tbody" items={rows.value} columns={COLUMNS} draw={(row, place) => <Row key={`${row.model} ${row.path}`} row={row} place={place} />} />
         </table>
       )}
       {more > 0 && <p class="empty">… and {format.plural(more, "file")} more that belong to no model.</p>}
     </div>
   );
+}
+
+/** File, model, what it is, method, size, correction. */
+const COLUMNS = 6;
+
+function caption(model: string | undefined): string {
+  if (everyModel.value && models.value.length > 1) return "Files of every model, after those that belong to none";
+  return model === undefined ? "Files" : `Files of ${model}, and those that belong to no model`;
 }
 
 /** Whether all this is there again after the page is left. */
@@ -108,12 +124,12 @@ function Kept(): JSX.Element | null {
   return <small class="kept">{words}</small>;
 }
 
-function Row({ row }: { row: FileRow }): JSX.Element {
+function Row({ row, place }: { row: FileRow; place: Place }): JSX.Element {
   const { path, model, role, method, size, reason, made } = row;
   const corrected = overrides.value[path];
   const change = (part: Override) => override(path, { ...corrected, ...part });
   return (
-    <tr class={reason ? "unplaced" : undefined}>
+    <tr {...place} class={reason ? "unplaced" : undefined}>
       <th scope="row">
         <code>{path}</code>
         {reason && <p class="hint">{reason}</p>}

@@ -1,5 +1,6 @@
 // How long a fit will take: told before it begins, by the points of the cloud and what fits took so far.
 
+import type { FitRequest } from "../../worker/protocol";
 import type { FitDone } from "../state/fitting";
 
 /** Seconds, and between what they may well lie. */
@@ -34,6 +35,33 @@ export function estimate({ method, model, points }: Omit<FitDone, "seconds">, do
   const seconds = usual(points) * Math.exp(mean);
   const factor = same.length > 0 ? KNOWN : spread(logs, mean);
   return { seconds, from: seconds / factor, to: seconds * factor, fits: heard.length };
+}
+
+/** Points of a cloud that a fit is made of: those of a subsample where one is asked for. */
+export function pointsFitted(points: number, { parameters }: Pick<FitRequest, "parameters">): number {
+  const { subsample = 0 } = parameters;
+  return subsample > 0 ? Math.min(points, subsample) : points;
+}
+
+/** Who waits as long as this may do with less. */
+export const LONG_SECONDS = 60;
+/** And not with an answer that takes longer than this. */
+const SHORT_SECONDS = 20;
+/** Round numbers of points, of which the largest is proposed that takes no longer: fewer show no small face. */
+const SUBSAMPLES = [1_000_000, 500_000, 200_000, 100_000, 50_000];
+/** Seconds that each point takes which is only labelled: it is put in order, and the nearest of those fitted looked up. */
+const EACH_LABELLED = 3e-6;
+
+/** A fit of some of the points where that of all may take minutes: how many, and how long. */
+export function proposal(asked: Omit<FitDone, "seconds">, done: readonly FitDone[]): { points: number; estimate: Estimate } | undefined {
+  if (estimate(asked, done).to < LONG_SECONDS) return undefined;
+  const all = SUBSAMPLES.filter((points) => points < asked.points / 2).map((points) => {
+    const { seconds, from, to, fits } = estimate({ ...asked, points }, done);
+    // As much faster or slower as fits are here.
+    const labelled = EACH_LABELLED * asked.points * (seconds / usual(points));
+    return { points, estimate: { seconds: seconds + labelled, from: from + labelled, to: to + labelled, fits } };
+  });
+  return all.find(({ estimate: { to } }) => to <= SHORT_SECONDS) ?? all.at(-1);
 }
 
 /** Fits side by side, `workers` at once. */

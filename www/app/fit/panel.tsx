@@ -2,12 +2,13 @@
 
 import type { JSX } from "preact";
 import { FITTERS } from "../../generated/declared/fitters.js";
+import type { FitRequest } from "../../worker/protocol";
 import { cancelFitting, fitModels, fitProgress } from "../state/fitting";
 import { modelById, models, type ModelEntry } from "../state/models";
 import { selectedModel } from "../state/selection";
 import * as format from "../ui/format";
 import { capitalised } from "../ui/format";
-import { Outlook } from "./outlook";
+import { Outlook, smaller } from "./outlook";
 import { Parameter } from "./parameter";
 import { Results } from "./results";
 import {
@@ -44,7 +45,7 @@ export default function FitPanel(): JSX.Element {
           event.preventDefault();
           const all = event.submitter?.getAttribute("value") === "all";
           const chosen = all ? models.value : models.value.filter(({ id }) => id === selectedModel.value);
-          const how = request.value;
+          const how = event.submitter?.getAttribute("value") === "some" ? withSubsample(smaller.value?.points) : request.value;
           void fitModels(chosen.filter(hasCloud).map(({ id }) => ({ model: id, request: how })));
         }}
       >
@@ -65,6 +66,12 @@ export default function FitPanel(): JSX.Element {
       <Results />
     </div>
   );
+}
+
+/** What is asked for, of so many points. */
+function withSubsample(points: number | undefined): FitRequest {
+  const { parameters, ...how } = request.value;
+  return { ...how, parameters: points === undefined ? parameters : { ...parameters, subsample: points } };
 }
 
 function Choice(): JSX.Element {
@@ -95,6 +102,11 @@ function Run(): JSX.Element {
       <button type="submit" class="primary" disabled={running || !entry || !hasCloud(entry)}>
         Fit {entry?.id ?? "a model"}
       </button>
+      {smaller.value && (
+        <button type="submit" value="some">
+          Fit {format.integer(smaller.value.points)} of its points
+        </button>
+      )}
       {withCloud > 1 && (
         <button type="submit" value="all" disabled={running}>
           Fit all {format.plural(withCloud, "model")}

@@ -57,6 +57,9 @@ export async function read(): Promise<Work> {
   return { files, models, submissions, overrides, names };
 }
 
+/** So many records are handed over at once: a thousand files are copied in 50 ms, and somebody may be scrolling. */
+const TOGETHER = 50;
+
 /** Writes what has changed between two states of the work, whole or not at all. @throws where there is no room for it. */
 export async function write(before: Work, now: Work): Promise<void> {
   const database = await opened();
@@ -65,11 +68,18 @@ export async function write(before: Work, now: Work): Promise<void> {
     const steps = KINDS.flatMap((kind) => {
       const store = change.objectStore(kind);
       const [old, fresh]: [ReadonlyMap<string, unknown>, ReadonlyMap<string, unknown>] = [before[kind], now[kind]];
-      const gone = [...old.keys()].filter((key) => !fresh.has(key)).map((key) => store.delete(key));
-      const put = [...fresh].filter(([key, value]) => old.get(key) !== value).map(([key, value]) => store.put(value as never, key));
+      const gone = [...old.keys()].filter((key) => !fresh.has(key)).map((key) => () => store.delete(key));
+      const put = [...fresh].filter(([key, value]) => old.get(key) !== value).map(([key, value]) => () => store.put(value as never, key));
       return [...gone, ...put];
     });
-    await Promise.all([...steps, change.done]);
+    // Waited for together with the steps: where one fails, both do.
+    const done = change.done;
+    done.catch(() => undefined);
+    for (let from = 0; from < steps.length; from += TOGETHER) {
+      // The transaction stays open, as its last request has just been answered.
+      await Promise.all(steps.slice(from, from + TOGETHER).map((step) => step()));
+    }
+    await done;
   } finally {
     database.close();
   }

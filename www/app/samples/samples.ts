@@ -14,7 +14,10 @@ export async function makeSample(part: string, options: SampleOptions, how: Entr
   if (keepIfHere(origin, how)) return;
   try {
     const name = nameOfSample(origin);
-    const { files } = await engine.run((api) => api.generate(part, options, name), stopped ? { signal: stopped } : {});
+    const { files } = await engine.run(
+      (api) => (how === "opening" ? api.opening(name) : api.generate(part, options, name)),
+      stopped ? { signal: stopped } : {},
+    );
     // It may have been asked for twice.
     if (!keepIfHere(origin, how)) addMade(name, origin, files, how);
   } catch (error) {

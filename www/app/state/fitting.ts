@@ -171,7 +171,7 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
     const result = await engine.run((api) => api.fit(source, request, onStage), { signal, urgency });
     batch(() => {
       fit.state.value = { kind: "done", result };
-      remember(id, request.method, result.seconds);
+      remember(id, request, result.seconds);
       madeWith.set(settings, result.method);
       addSubmission(id, result.method, result.files, request);
       if (!quiet && id === selectedModel.peek()) selectModel(id, result.method);
@@ -182,9 +182,10 @@ async function perform(fit: Fit, signal: AbortSignal, quiet: boolean): Promise<v
   }
 }
 
-function remember(model: string, method: FitRequest["method"], seconds: number): void {
+function remember(model: string, { method, parameters }: FitRequest, seconds: number): void {
   const points = pointsOf(modelById(model));
-  if (points === undefined) return;
+  // Where all points are labelled by a fit of some, its time tells little of another's.
+  if (points === undefined || points > (parameters["subsample"] || Infinity)) return;
   fitsDone.value = [...fitsDone.peek(), { method, model, points, seconds }].slice(-MOST_REMEMBERED);
 }
 
@@ -205,8 +206,8 @@ function tellEnd(run: FitRun): void {
   const state = first.state.peek();
   const alone = run.fits.length === 1;
   if (alone && state.kind === "done") {
-    const { primitives, seconds } = state.result;
-    notify(`${methodsOf(run)} found ${plural(primitives, "primitive")} in ${first.model}, in ${seconds.toFixed(2)} s.`);
+    const { primitives, seconds, method } = state.result;
+    notify(`${first.request.parameters["subsample"] ? method : methodsOf(run)} found ${plural(primitives, "primitive")} in ${first.model}, in ${seconds.toFixed(2)} s.`);
   } else if (alone && state.kind === "failed") {
     notify(`${first.model} could not be fitted: ${state.message}`, "error");
   } else {

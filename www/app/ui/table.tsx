@@ -17,6 +17,8 @@ export interface Column<Row> {
   readonly numeric?: boolean;
   /** The value as a share of 1, drawn as a faint bar behind the figure. */
   readonly share?: (row: Row) => number | null | undefined;
+  /** How strongly the cell is shaded, a share of 1, and in which sense. */
+  readonly heat?: (row: Row) => { readonly outcome: "better" | "worse"; readonly share: number } | undefined;
   readonly title?: (row: Row) => string | undefined;
 }
 
@@ -127,11 +129,13 @@ function cell<Row>(column: Column<Row>, row: Row, names: boolean, selectable: bo
   }
   const share = column.share?.(row);
   const bar = share === null || share === undefined ? undefined : { "--share": Math.min(1, Math.max(0, share)) };
+  const heat = column.heat?.(row);
   return (
     <td
       key={column.id}
       class={`${column.numeric ? "numeric" : ""} ${bar ? "meter" : ""}`}
-      style={bar}
+      data-heat={heat?.outcome}
+      style={heat ? { ...bar, "--heat": heat.share } : bar}
       title={column.title?.(row)}
     >
       {content}
@@ -139,7 +143,8 @@ function cell<Row>(column: Column<Row>, row: Row, names: boolean, selectable: bo
   );
 }
 
-function sorted<Row>(rows: readonly Row[], columns: readonly Column<Row>[], sorting: Sorting | undefined): readonly Row[] {
+/** The rows as a table has them that is sorted so. */
+export function sorted<Row>(rows: readonly Row[], columns: readonly Column<Row>[], sorting: Sorting | undefined): readonly Row[] {
   const by = columns.find(({ id }) => id === sorting?.column)?.sortBy;
   if (!sorting || !by) return rows;
   const sign = sorting.descending ? -1 : 1;

@@ -123,6 +123,19 @@ pub struct Fit {
     pub segmentation: Segmentation,
     /// The scale the cloud was taken to have.
     pub scale: Scale,
+    /// How many places were fitted, where they are not all: the [subsample](Parameters::subsample) asked for.
+    pub thinned: Option<usize>,
+}
+
+impl Fit {
+    /// What a submission by a method is called, so that it says where only some of the points were fitted:
+    /// `HT`, `HT on 50000 points`.
+    pub fn title(&self, method: Method) -> String {
+        match self.thinned {
+            None => method.title().to_owned(),
+            Some(count) => format!("{} on {count} points", method.title()),
+        }
+    }
 }
 
 /// Fits primitives to a bare cloud. The same points, parameters and seed give the same answer, in
@@ -151,7 +164,7 @@ pub fn fit(
     observer: &mut dyn Observer,
 ) -> Result<Fit, Cancelled> {
     observer.progress(Stage::Prepare, 0.0)?;
-    let (places, tree) = Places::of(cloud);
+    let (places, tree) = Places::of(cloud, parameters.most());
     let mut search = Search::over(places.cloud(), tree, parameters, seed);
     let observer = &mut Unfolded {
         observer,
@@ -187,6 +200,7 @@ pub fn fit(
     Ok(Fit {
         segmentation: places.unfold(&search, found),
         scale,
+        thinned: places.are_thinned().then(|| places.cloud().len()),
     })
 }
 

@@ -114,6 +114,9 @@ parameters! {
     fuzzy_border: number in 0.05 ..= 1.0, default 0.3 "share", BOTH,
     "A patch is rejected as accidental when more than this share of the points just outside it nearly lie on its surface: true faces end sharply, accidental fits fade out.";
 
+    subsample: count in 0.0 ..= 10000000.0, default 0.0 "points", BOTH,
+    "Where the cloud has more points, so many of them, spread over all of it, are fitted, and every point is labelled by what was found: a quick answer for a large cloud. 0 fits all.";
+
     persistence: number in 0.01 ..= 0.9, default 0.1 "of the highest peak", &[Method::Hough],
     "Maxima of the accumulator with less topological persistence than this are noise.";
 
@@ -165,6 +168,14 @@ impl Parameters {
     pub fn get(&self, name: &str) -> Option<f64> {
         let info = TABLE.iter().find(|info| info.name == name)?;
         Some((info.get)(self))
+    }
+
+    /// The most places to fit.
+    pub(crate) fn most(&self) -> usize {
+        match Self::count(self.subsample) {
+            0 => usize::MAX,
+            most => most,
+        }
     }
 
     /// A count among the parameters as an integer.

@@ -7,7 +7,7 @@
 //! get their labels from what was found without them. So are points whose coordinates are not finite,
 //! without any label.
 //!
-//! Scan lines are thinned alike (`lines`).
+//! Scan lines are thinned alike (`lines`), and so is a cloud of which only so many places are to be fitted.
 //!
 //! The places are in an order of their own, so that a fit does not hang on how a file lists them.
 
@@ -45,6 +45,7 @@ const OFF: f64 = 0.8;
 pub struct Places<'a> {
     all: &'a Cloud,
     kept: Kept,
+    thinned: bool,
 }
 
 /// Some points of a cloud.
@@ -56,9 +57,9 @@ struct Kept {
 }
 
 impl<'a> Places<'a> {
-    /// Leaves out the points that repeat others, puts the rest in order, and makes their tree.
-    /// O(n log n).
-    pub fn of(all: &'a Cloud) -> (Self, KdTree) {
+    /// Leaves out the points that repeat others, puts the rest in order, keeps at most so many of them, spread
+    /// over the whole cloud, and makes their tree. O(n log n).
+    pub fn of(all: &'a Cloud, most: usize) -> (Self, KdTree) {
         let mut kept = distinct(all.points());
         let mut tree = KdTree::new(kept.cloud.points());
         for reach in [reach_of_copies, lines::reach_along_lines] {
@@ -69,7 +70,17 @@ impl<'a> Places<'a> {
                 tree = KdTree::new(kept.cloud.points());
             }
         }
-        (Self { all, kept }, tree)
+        let thinned = kept.cloud.len() > most;
+        if thinned {
+            kept = kept.thinned(most);
+            tree = KdTree::new(kept.cloud.points());
+        }
+        (Self { all, kept, thinned }, tree)
+    }
+
+    /// Whether there are more places than were to be kept.
+    pub fn are_thinned(&self) -> bool {
+        self.thinned
     }
 
     /// The points that the fit is made of.
@@ -85,7 +96,9 @@ impl<'a> Places<'a> {
 
     /// Turns what was found in [`cloud`](Self::cloud) into what that says about the whole cloud, largest
     /// first. A point that was left out is on those surfaces of the point that stands for it which pass
-    /// through itself too; where none does, on those of the nearest neighbour that has such.
+    /// through itself too; where none does, on those of the nearest neighbour that has such. Where a cloud is thinned,
+    /// edges run between the points that are kept: there a point is also on a neighbour's surface which passes through
+    /// itself, but not through what stands for it.
     pub fn unfold(&self, search: &Search<'_>, found: Segmentation) -> Segmentation {
         let kept = &self.kept;
         let mut primitives = found.primitives;
@@ -101,15 +114,25 @@ impl<'a> Places<'a> {
             }
             let stands_for_itself = search.point(place) == point;
             let near = search.graph.of(place).iter().copied();
+            let passes = |number: u32, point: &Point| {
+                let is_near = |it: Surface| it.distance(point) <= search.scale.tolerance;
+                primitives[number as usize].surface.is_some_and(is_near)
+            };
+            through.clear();
+            let mut first = None;
             for at in std::iter::once(place).chain(near) {
-                through.clear();
-                through.extend(holders.of(at).filter(|&number| {
-                    let surface = primitives[number as usize].surface;
-                    let is_near = |it: Surface| it.distance(point) <= search.scale.tolerance;
-                    stands_for_itself || surface.is_some_and(is_near)
-                }));
-                if stands_for_itself || !through.is_empty() {
+                for number in holders.of(at) {
+                    let goes_on = |from: u32| passes(number, search.point(from));
+                    let is_new = !through.contains(&number) && !first.is_some_and(goes_on);
+                    if is_new && (stands_for_itself || passes(number, point)) {
+                        through.push(number);
+                    }
+                }
+                if stands_for_itself || (!through.is_empty() && !self.thinned) {
                     break;
+                }
+                if first.is_none() && !through.is_empty() {
+                    first = Some(at);
                 }
             }
             for &number in &through {
@@ -121,6 +144,26 @@ impl<'a> Places<'a> {
 }
 
 impl Kept {
+    /// So many of them, at equal steps along their order, which runs through the cloud without leaps: where there are
+    /// more, more are kept. The nearest of these stands for each of the others.
+    fn thinned(self, most: usize) -> Self {
+        let points = self.cloud.points();
+        let count = points.len() as u64;
+        let steps = (0..most as u64).map(|step| (step * count / most.max(1) as u64) as usize);
+        let some: Vec<Point> = steps.map(|at| points[at]).collect();
+        let tree = KdTree::new(&some);
+        let mut found = Vec::with_capacity(1);
+        let nearest = points.iter().map(|point| {
+            tree.nearest(point, 1, f64::INFINITY, |_| true, &mut found);
+            found.first().map_or(u32::MAX, |nearest| nearest.index)
+        });
+        let next = Self {
+            place: nearest.collect(),
+            cloud: Cloud::new(some),
+        };
+        self.then(next)
+    }
+
     /// Those kept of these.
     fn then(self, next: Self) -> Self {
         let on = |&place: &u32| next.place.get(place as usize).copied();

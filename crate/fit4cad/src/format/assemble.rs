@@ -5,6 +5,7 @@ use super::primitives::PointList;
 use super::surfaces::{SurfaceEntry, SurfaceFile};
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::model::{Coefficients, Primitive, Segmentation};
+use crate::sorting::sort_by;
 use crate::surface::{Conversion, Form, Surface};
 
 /// What was read from a file, and the file's path for the diagnostics.
@@ -188,7 +189,7 @@ fn align(
         .enumerate()
         .map(|(at, list)| (list.number, at))
         .collect();
-    by_number.sort_unstable();
+    sort_by(&mut by_number, |one, other| one.cmp(other));
     let first_of = |number: u32| by_number.partition_point(|&(other, _)| other < number);
     let is_listed = |entry: &SurfaceEntry| {
         by_number

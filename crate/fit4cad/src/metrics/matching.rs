@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use crate::model::Segmentation;
+use crate::sorting::sort_by;
 
 /// The primitive that shares most points with a given one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -265,11 +266,13 @@ impl<'a> Search<'a> {
         }
         let key = |share: &Share<'_>| (share.class, share.count);
         let mut alike: Vec<(usize, usize)> = short.iter().chain(&long).map(key).collect();
-        alike.sort_unstable();
+        sort_by(&mut alike, |one, other| one.cmp(other));
         if let Some(&known) = self.known.get(&alike) {
             return known;
         }
-        long.sort_unstable_by_key(|share| (share.row.len(), share.class));
+        sort_by(&mut long, |one, other| {
+            (one.row.len(), one.class).cmp(&(other.row.len(), other.class))
+        });
         let found = self.search(&short, &long);
         self.known.insert(alike, found);
         found

@@ -33,12 +33,15 @@ pub use cut::{FEWEST_POINTS, Lasso, Losses, MAX_CORNERS, Region, points_in, thin
 pub use degrade::Degradation;
 use degrade::Worn;
 pub use imperfect::imperfect;
+use mesh::Mesh;
 pub use options::Options;
+use patches::Patch;
 pub use ranges::{OPTIONS, OptionInfo, SEED, WEAR};
 pub use shapes::{SHAPES, Shape, ShapeInfo};
 
-use crate::cloud::Cloud;
+use crate::cloud::{Cloud, Point};
 use crate::model::{Model, Primitive, Segmentation};
+use crate::surface::Surface;
 
 /// Most points a model may have before outliers are added.
 pub const MAX_POINTS: usize = 2_000_000;
@@ -136,28 +139,55 @@ pub fn generate(part: &str, options: &Options) -> Result<Model, SampleError> {
 /// be more than [`MAX_POINTS`].
 pub fn build(name: &str, part: &Part, options: &Options) -> Result<Model, SampleError> {
     options.check()?;
+    let (boundary, mesh, patches) = meshed(part, options)?;
+    let degradation = options.degradation();
+    let worn = degrade::degrade(&mesh.points, boundary.diagonal, &degradation, options.seed);
+    let lists = patches.iter().map(|patch| worn.list(&patch.points));
+    let truth = numbered(patches.iter().map(|patch| patch.surface).zip(lists));
+    Ok(of_points(name, worn.points, truth))
+}
+
+/// The part that the page opens with: what [`generate`] makes of the first of the catalogue by the options'
+/// defaults. Needs none of what makes the other parts, or wears them.
+///
+/// # Errors
+/// None in practice: this part can be made.
+pub fn opening() -> Result<Model, SampleError> {
+    let first = catalogue::FIRST;
+    let (_, mesh, patches) = meshed(&first.part(), &Options::default())?;
+    let patches = patches.into_iter();
+    let truth = numbered(patches.map(|patch| (patch.surface, patch.points)));
+    Ok(of_points(first.name, mesh.points, truth))
+}
+
+/// A part as its faces, with points on them.
+fn meshed(part: &Part, options: &Options) -> Result<(Boundary, Mesh, Vec<Patch>), SampleError> {
     let boundary = Boundary::new(part)?;
     let spacing = options.spacing * boundary.diagonal;
     let mesh = mesh::mesh(&boundary, spacing, options.seed, MAX_POINTS)?;
     let patches = patches::patches(&boundary, &mesh, spacing);
+    Ok((boundary, mesh, patches))
+}
 
-    let degradation = options.degradation();
-    let worn = degrade::degrade(&mesh.points, boundary.diagonal, &degradation, options.seed);
-
+/// The primitives that have points, numbered from 1.
+fn numbered(patches: impl Iterator<Item = (Surface, Vec<u32>)>) -> Segmentation {
     let mut primitives: Vec<Primitive> = Vec::new();
-    for patch in patches {
-        let points = worn.list(&patch.points);
+    for (surface, points) in patches {
         if !points.is_empty() {
             let number = primitives.len() as u32 + 1;
-            primitives.push(Primitive::on(patch.surface, number, points));
+            primitives.push(Primitive::on(surface, number, points));
         }
     }
-    Ok(Model {
+    Segmentation { primitives }
+}
+
+fn of_points(name: &str, points: Vec<Point>, truth: Segmentation) -> Model {
+    Model {
         name: name.to_owned(),
-        cloud: Cloud::new(worn.points),
-        truth: Some(Segmentation { primitives }),
+        cloud: Cloud::new(points),
+        truth: Some(truth),
         submissions: Vec::new(),
-    })
+    }
 }
 
 /// The model as a worse scan would show it, without its submissions. The truth keeps its surfaces

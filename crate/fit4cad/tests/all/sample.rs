@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use fit4cad::cloud::Point;
 use fit4cad::model::{Model, Primitive};
 use fit4cad::sample::blocks::{Loop, Outline, Part, Solid};
-use fit4cad::sample::{Options, SampleError, build, generate, parts};
+use fit4cad::sample::{Options, SampleError, build, generate, opening, parts};
 use fit4cad::surface::{Surface, SurfaceType};
 
 /// Coarser than the default, to be quick.
@@ -415,4 +415,10 @@ fn the_primitives_do_not_depend_on_the_spacing() {
     for (coarse, fine) in every_part(&COARSE).zip(every_part(&Options::default())) {
         assert_eq!(kinds(&coarse), kinds(&fine), "{}", coarse.name);
     }
+}
+
+#[test]
+fn what_the_page_opens_with_is_the_first_part_of_the_catalogue() {
+    let first = generate(parts()[0].name, &Options::default());
+    assert_eq!(opening(), first);
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Optional, Sequence, Union
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -102,12 +102,22 @@ def fit(
     is installed. The interpreter's lock is released, and Ctrl-C ends the fit. Raises ``ValueError`` for a parameter
     that is unknown or out of its range.
 
+    Of a large cloud, ``subsample=50_000`` fits so many points and labels all by what was found.
+
     Source: Romanengo et al. 2022, sections "HT" and "PG".
     """
+    return fit_titled(points, method, seed, progress, parameters)[0]
+
+
+def fit_titled(
+    points: Points, method: str, seed: int, progress: Progress, parameters: Mapping[str, float]
+) -> tuple[Segmentation, str]:
+    """What :func:`fit` finds, and what it is called: ``HT``, ``HT on 50000 points``."""
     cloud = cloud_of(points)
     values = {name: float(value) for name, value in parameters.items()}
     with of_fit(progress) as heard:
-        return Segmentation(_engine.fit(cloud, method, values, seed, heard), cloud)
+        found, title = _engine.fit(cloud, method, values, seed, heard)
+    return Segmentation(found, cloud), title
 
 
 def fit_segments(points: Points, labels: Labels, types: ByLabel = None) -> Segmentation:

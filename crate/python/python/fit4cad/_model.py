@@ -73,13 +73,12 @@ class Model:
     def fit(self, method: str = "ht", *, seed: int = 1, progress: Progress = None, **parameters: float) -> str:
         """Fits primitives to the bare cloud and keeps them as a submission; gives its name.
 
-        That is the method's abbreviation, with a number where it is taken. See :func:`fit4cad.fit`.
+        That is the method's abbreviation, with the number of points where only some were fitted (``subsample``) and
+        one behind it where it is taken. See :func:`fit4cad.fit`.
         """
-        from ._api import fit
-        from ._declared import declared
+        from ._api import fit_titled
 
-        found = fit(self, method, seed=seed, progress=progress, **parameters)
-        title: str = next(each["title"] for each in declared()["fitters"] if each["name"] == method)
+        found, title = fit_titled(self, method, seed, progress, parameters)
         name, number = title, 2
         while name in self.submissions:
             name, number = f"{title} {number}", number + 1

@@ -36,15 +36,14 @@ pub const LINES: usize = 11;
 /// the viewer comes last.
 pub fn lines(rotation: Quat) -> [Line; LINES] {
     let to_camera = rotation.inverse();
-    let mut axes = [0_usize, 1, 2];
-    let seen = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| to_camera * axis);
-    axes.sort_by(|&a, &b| {
-        let depth = |axis: usize| seen.get(axis).map_or(0.0, |seen| seen.z);
-        depth(a).total_cmp(&depth(b))
-    });
-    let mut lines = axes
-        .iter()
-        .flat_map(|&axis| of_axis(axis, seen.get(axis).copied().unwrap_or_default()));
+    let mut axes =
+        [(0, Vec3::X), (1, Vec3::Y), (2, Vec3::Z)].map(|(axis, way)| (axis, to_camera * way));
+    for (a, b) in [(0, 1), (1, 2), (0, 1)] {
+        if axes[a].1.z > axes[b].1.z {
+            axes.swap(a, b);
+        }
+    }
+    let mut lines = axes.iter().flat_map(|&(axis, seen)| of_axis(axis, seen));
     let nothing = Line {
         from: [0.0; 3],
         to: [0.0; 3],

@@ -200,8 +200,14 @@ impl Patches {
             Some(towards) => (eye - piece.centre).dot(towards),
             None => eye.distance(piece.centre),
         };
-        self.pieces
-            .sort_unstable_by(|a, b| distance(b).total_cmp(&distance(a)));
+        // By insertion: from frame to frame the order hardly changes.
+        for end in 1..self.pieces.len() {
+            let mut place = end;
+            while place > 0 && distance(&self.pieces[place]) > distance(&self.pieces[place - 1]) {
+                self.pieces.swap(place, place - 1);
+                place -= 1;
+            }
+        }
         for piece in self.pieces.iter().filter(|piece| piece.side == side) {
             program.set_vec3(gl, "colour", piece.colour);
             // Of one patch the far side first: most are convex, or nearly.

@@ -1,6 +1,9 @@
+use std::collections::BTreeSet;
+
 use super::*;
 use crate::cloud::Vector;
 use crate::fit::{Fit, Method, Observer, Parameters, fit, trace::Event};
+use crate::metrics::{Measure, Protocol, evaluate};
 use crate::random::Random;
 use crate::sample;
 
@@ -111,19 +114,22 @@ fn rows_repeated_beside_each_other_do_not_hide_the_faces() {
 fn the_two_sides_of_a_foil_are_no_copies() {
     let sheet = |z: f64| (0..900).map(move |i| Point::new(f64::from(i % 30), f64::from(i / 30), z));
     let foil = Cloud::new(sheet(0.0).chain(sheet(0.02)).collect());
-    assert_eq!(Places::of(&foil).0.cloud().len(), foil.len());
+    assert_eq!(Places::of(&foil, usize::MAX).0.cloud().len(), foil.len());
     let beside = sheet(0.0).map(|p| Point::new(p.x + 0.02, p.y, p.z));
     let twice = Cloud::new(sheet(0.0).chain(beside).collect());
-    assert_eq!(Places::of(&twice).0.cloud().len(), 900);
+    assert_eq!(Places::of(&twice, usize::MAX).0.cloud().len(), 900);
 }
 
 #[test]
 fn even_and_random_points_are_all_kept() {
-    assert_eq!(Places::of(&bracket()).0.cloud().len(), bracket().len());
+    assert_eq!(
+        Places::of(&bracket(), usize::MAX).0.cloud().len(),
+        bracket().len()
+    );
     let mut random = Random::new(1, 0);
     let points = (0..2000).map(|_| Point::new(random.unit(), random.unit(), 0.0));
     let cloud = Cloud::new(points.collect());
-    assert_eq!(Places::of(&cloud).0.cloud().len(), cloud.len());
+    assert_eq!(Places::of(&cloud, usize::MAX).0.cloud().len(), cloud.len());
 }
 
 #[test]
@@ -143,8 +149,8 @@ fn points_that_are_not_finite_have_no_label_and_disturb_no_other() {
 fn a_cloud_of_one_place_or_none_is_nothing_to_fit() {
     let one = Cloud::new(vec![Point::new(1.0, 2.0, 3.0); 30_000]);
     let nowhere = Cloud::new(vec![Point::new(f64::NAN, 0.0, 0.0); 30]);
-    assert_eq!(Places::of(&one).0.cloud().len(), 1);
-    assert_eq!(Places::of(&nowhere).0.cloud().len(), 0);
+    assert_eq!(Places::of(&one, usize::MAX).0.cloud().len(), 1);
+    assert_eq!(Places::of(&nowhere, usize::MAX).0.cloud().len(), 0);
     for method in METHODS {
         for cloud in [&one, &nowhere, &Cloud::default()] {
             assert!(fitted(cloud, method).segmentation.primitives.is_empty());
@@ -184,4 +190,50 @@ fn the_trace_speaks_of_the_points_of_the_whole_cloud() {
         }
     }
     assert!(accepted > 10);
+}
+
+#[test]
+fn of_a_large_cloud_so_many_points_are_fitted_and_all_are_labelled() {
+    let options = sample::Options {
+        spacing: 0.005,
+        ..sample::Options::default()
+    };
+    let model = sample::generate("flange", &options).unwrap();
+    let truth = model.truth.unwrap();
+    let parameters = Parameters {
+        subsample: (model.cloud.len() / 5) as f64,
+        ..Parameters::default()
+    };
+    for method in METHODS {
+        let found = fit(&model.cloud, method, &parameters, 1, &mut ()).unwrap();
+        assert_eq!(found.thinned, Some(model.cloud.len() / 5));
+        assert_eq!(
+            found.title(method),
+            format!("{} on {} points", method.title(), model.cloud.len() / 5)
+        );
+        let report = evaluate(
+            &model.cloud,
+            &truth,
+            &found.segmentation,
+            Protocol::Definition,
+        );
+        let dsc = report.mean[Measure::Dsc].unwrap();
+        assert!(dsc > 0.97, "{method:?}: {dsc}");
+        let labelled: BTreeSet<u32> = found
+            .segmentation
+            .primitives
+            .iter()
+            .flat_map(|primitive| primitive.points.iter().copied())
+            .collect();
+        assert!(labelled.len() as f64 > 0.99 * model.cloud.len() as f64);
+    }
+    // A cloud that has no more is fitted whole, and its answer says nothing else.
+    let small = bracket();
+    let parameters = Parameters {
+        subsample: small.len() as f64,
+        ..Parameters::default()
+    };
+    let found = fit(&small, Method::Hough, &parameters, 1, &mut ()).unwrap();
+    assert_eq!(found, fitted(&small, Method::Hough));
+    assert_eq!(found.title(Method::Hough), "HT");
 }

@@ -156,6 +156,11 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
 }
 
 impl Clue<'_> {
+    /// The folders that hold its set, as one path.
+    pub(super) fn home(&self) -> String {
+        self.base.join("/")
+    }
+
     fn heed(&mut self, said: &Override) {
         if let Some(model) = said.model.as_deref().filter(|model| !model.is_empty()) {
             let name = model.rsplit('/').next().unwrap_or(model);

@@ -1,15 +1,17 @@
 //! From a heap of paths to models: which file is what, of which model, by which method.
 
 mod clue;
+mod named;
 mod naming;
 mod natural;
 mod pieces;
 mod placing;
+mod settling;
 
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use clue::Sorted;
 pub(super) use clue::names_truth;
@@ -98,11 +100,12 @@ pub fn group<P: AsRef<str>>(paths: &[P], overrides: &BTreeMap<String, Override>)
     let mut paths: Vec<&str> = paths.iter().map(AsRef::as_ref).collect();
     sort_by(&mut paths, |a, b| natural::compare(a, b));
     let mut grouping = Grouping::default();
-    let mut seen = BTreeSet::new();
+    let mut before = None;
     let mut clues = Vec::new();
     let mut others = Vec::new();
     for path in paths {
-        if !seen.insert(path) {
+        // The order tells any two apart, so that the same ones are beside each other.
+        if before.replace(path) == Some(path) {
             grouping.reject(path, "the same path was given twice".to_owned());
             continue;
         }

@@ -1,7 +1,6 @@
 //! Names that tell models and methods apart and are no longer than that takes.
 
-use std::collections::{BTreeMap, BTreeSet};
-
+use super::named::{Named, Places};
 use super::natural;
 use super::placing::{Draft, Owner};
 use super::{ModelFiles, PlacedFile};
@@ -14,7 +13,7 @@ pub(super) fn name(drafts: Vec<Draft<'_>>) -> Vec<ModelFiles> {
     let mut named: Vec<(String, String, ModelFiles)> = drafts
         .into_iter()
         .map(|draft| {
-            let label = labels.get(&draft.cloud.base).cloned().unwrap_or_default();
+            let label = labels.get(&draft.cloud.home()).cloned().unwrap_or_default();
             let stem = draft.cloud.stem.clone();
             let model = ModelFiles {
                 name: qualified(&label, &stem),
@@ -40,55 +39,52 @@ fn qualified(label: &str, name: &str) -> String {
     }
 }
 
-/// A label for every set that shares a model's name with another.
-fn set_labels<'a>(drafts: &[Draft<'a>]) -> BTreeMap<Vec<&'a str>, String> {
-    let mut sets_of: BTreeMap<String, Vec<Vec<&str>>> = BTreeMap::new();
+/// A label for every set that shares a model's name with another, by its folders.
+fn set_labels(drafts: &[Draft<'_>]) -> Named<String> {
+    let mut sets_of: Named<Vec<&[&str]>> = Named::default();
     for draft in drafts {
-        sets_of
-            .entry(draft.cloud.stem.to_lowercase())
-            .or_default()
-            .push(draft.cloud.base.clone());
+        let sets = sets_of.or_insert(&draft.cloud.stem.to_lowercase(), Vec::new());
+        sets.push(&draft.cloud.base);
     }
-    let colliding: BTreeSet<Vec<&str>> = sets_of
-        .into_values()
-        .filter(|sets| sets.len() > 1)
-        .flatten()
-        .collect();
-    shortest_suffixes(colliding)
+    let mut colliding: Named<&[&str]> = Named::default();
+    for &set in sets_of.iter().filter(|sets| sets.len() > 1).flatten() {
+        colliding.or_insert(&set.join("/"), set);
+    }
+    let colliding: Vec<&[&str]> = colliding.iter().copied().collect();
+    let mut labels = Named::default();
+    for (set, label) in colliding.iter().zip(shortest_suffixes(&colliding)) {
+        labels.or_insert(&set.join("/"), label);
+    }
+    labels
 }
 
-/// For each path its last folders, as many as tell it from the others.
-fn shortest_suffixes(paths: BTreeSet<Vec<&str>>) -> BTreeMap<Vec<&str>, String> {
+/// For each of different paths its last folders, as many as tell it from the others.
+fn shortest_suffixes(paths: &[&[&str]]) -> Vec<String> {
     let suffix = |path: &[&str], length: usize| {
-        path.get(path.len().saturating_sub(length)..)
-            .unwrap_or_default()
-            .join("/")
+        let folders = path.get(path.len().saturating_sub(length)..);
+        folders.unwrap_or_default().join("/")
     };
-    let deepest = paths.iter().map(Vec::len).max().unwrap_or(0);
-    let mut labels = BTreeMap::new();
-    let mut open = paths.clone();
+    let deepest = paths.iter().map(|path| path.len()).max().unwrap_or(0);
+    let mut labels: Vec<Option<String>> = vec![None; paths.len()];
     for length in 1..=deepest {
-        let mut count: BTreeMap<String, usize> = BTreeMap::new();
-        for path in &paths {
-            *count.entry(suffix(path, length)).or_default() += 1;
+        let mut count: Named<usize> = Named::default();
+        for path in paths {
+            *count.or_insert(&suffix(path, length), 0) += 1;
         }
-        open.retain(|path| {
-            let label = suffix(path, length);
-            let unique = count.get(&label) == Some(&1);
-            if unique {
-                labels.insert(path.clone(), label);
+        for (path, label) in paths.iter().zip(&mut labels) {
+            let own = suffix(path, length);
+            if label.is_none() && count.get(&own) == Some(&1) {
+                *label = Some(own);
             }
-            !unique
-        });
-        if open.is_empty() {
+        }
+        if labels.iter().all(Option::is_some) {
             break;
         }
     }
-    for path in open {
-        let label = path.join("/");
-        labels.insert(path, label);
-    }
-    labels
+    let labelled = labels.into_iter().zip(paths);
+    labelled
+        .map(|(label, path)| label.unwrap_or_else(|| path.join("/")))
+        .collect()
 }
 
 /// The number a model's name ends with: 14 for `PC14` and for `training_set/PC14`.
@@ -98,20 +94,23 @@ pub fn model_number(name: &str) -> Option<u32> {
 }
 
 fn files(draft: Draft<'_>) -> Vec<PlacedFile> {
-    let owners = draft.files.keys().map(|(owner, _)| owner);
-    let owners: BTreeSet<&Owner<'_>> = owners.chain(draft.pieces.keys()).collect();
-    let names = method_names(owners.into_iter());
+    let mut owners = Named::default();
+    let of_files = draft.files.iter().map(|file| &file.owner);
+    for owner in of_files.chain(draft.pieces.iter().map(|(owner, _)| owner)) {
+        owners.or_insert(&owner.key(), owner);
+    }
+    let names = method_names(owners);
     let placed = |path: &str, role: Role, owner: Option<&Owner<'_>>| PlacedFile {
         path: path.to_owned(),
         role,
-        method: owner.and_then(|owner| names.get(owner).cloned()),
+        method: owner.and_then(|owner| names.get(&owner.key()).cloned()),
         first: None,
     };
     let clouds = std::iter::once(&draft.cloud.path).chain(&draft.more);
     let mut files: Vec<PlacedFile> = clouds.map(|path| placed(path, Role::Cloud, None)).collect();
     let own = draft.files.iter();
-    files.extend(own.map(|((owner, role), path)| placed(path, *role, Some(owner))));
-    for (owner, paths) in &draft.pieces {
+    files.extend(own.map(|file| placed(file.path, file.role, Some(&file.owner))));
+    for (owner, paths) in draft.pieces.iter() {
         let pieces = paths.iter();
         files.extend(pieces.map(|path| placed(path, Role::Primitives, Some(owner))));
     }
@@ -127,34 +126,33 @@ fn files(draft: Draft<'_>) -> Vec<PlacedFile> {
     files
 }
 
-/// A name for each method of a model: its own, with folders where two have the same.
-fn method_names<'o, 'a: 'o>(
-    owners: impl Iterator<Item = &'o Owner<'a>>,
-) -> BTreeMap<&'o Owner<'a>, String> {
-    let mut by_name: BTreeMap<&str, BTreeMap<Vec<&str>, &Owner<'_>>> = BTreeMap::new();
-    for owner in owners {
-        if let Owner::Method { name, base } = owner {
-            by_name.entry(name).or_default().insert(base.clone(), owner);
+/// A name for each method of a model, by whose it is: its own, with folders where two have the same.
+fn method_names(owners: Named<&Owner<'_>>) -> Named<String> {
+    let mut by_name: Named<(&str, Vec<&Owner<'_>>)> = Named::default();
+    for owner in owners.in_order() {
+        if let Owner::Method { name, .. } = owner {
+            by_name.or_insert(name, (name, Vec::new())).1.push(owner);
         }
     }
-    let mut names = BTreeMap::new();
-    let mut used = BTreeSet::new();
-    for (name, owners) in by_name {
-        let labels = match owners.len() {
-            1 => BTreeMap::new(),
-            _ => shortest_suffixes(owners.keys().cloned().collect()),
+    let mut names = Named::default();
+    let mut used = Places::default();
+    for (name, owners) in by_name.in_order() {
+        let bases: Vec<&[&str]> = owners.iter().map(|owner| owner.base()).collect();
+        let labels = match bases.len() {
+            1 => vec![String::new()],
+            _ => shortest_suffixes(&bases),
         };
-        for (base, owner) in owners {
-            let mut full = match labels.get(&base) {
-                // Named after its folder, which the label holds already.
-                Some(label) if base.last() == Some(&name) => label.clone(),
-                Some(label) => qualified(label, name),
-                None => name.to_owned(),
+        for (owner, label) in owners.into_iter().zip(labels) {
+            // Named after its folder, which the label holds already.
+            let mut full = match owner.base().last() {
+                Some(&folder) if folder == name && !label.is_empty() => label,
+                _ => qualified(&label, name),
             };
-            while !used.insert(full.clone()) {
+            while used.get(&full).is_some() {
                 full.push('′');
             }
-            names.insert(owner, full);
+            used.give(&full);
+            names.or_insert(&owner.key(), full);
         }
     }
     names

@@ -1,10 +1,9 @@
 //! Files that hold the points of one primitive each, brought together: beside a cloud they are its segments,
 //! without one they are the cloud.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::Grouping;
 use super::clue::Clue;
+use super::named::{Named, Places, joined};
 use crate::format::Role;
 
 /// Files of one folder and model, by one method.
@@ -25,30 +24,32 @@ pub(super) fn take<'a>(clues: &mut Vec<Clue<'a>>, grouping: &mut Grouping) -> Ve
     let (pieces, mut others): (Vec<_>, Vec<_>) = std::mem::take(clues)
         .into_iter()
         .partition(|clue| clue.piece.is_some());
-    let models: BTreeSet<String> = others
-        .iter()
-        .filter(|clue| clue.role != Role::Cloud)
-        .map(|clue| clue.stem.to_lowercase())
-        .collect();
-    let mut sets: BTreeMap<_, Vec<Clue<'a>>> = BTreeMap::new();
+    let mut models = Places::default();
+    for clue in others.iter().filter(|clue| clue.role != Role::Cloud) {
+        models.give(&clue.stem.to_lowercase());
+    }
+    let mut sets: Named<Vec<Clue<'a>>> = Named::default();
     for mut clue in pieces {
         let Some(name) = clue.piece else { continue };
-        if models.contains(&own_stem(&clue)) {
+        if models.get(&own_stem(&clue)).is_some() {
             clue.becomes_cloud();
             others.push(clue);
             continue;
         }
-        let key = (
-            clue.base.clone(),
-            name.model.to_lowercase(),
-            clue.method.clone(),
-            clue.model.clone(),
-            clue.is_truth,
-        );
-        sets.entry(key).or_default().push(clue);
+        let told = |text: &Option<String>| if text.is_some() { "1" } else { "" };
+        let set = joined(&[
+            &clue.home(),
+            &name.model.to_lowercase(),
+            told(&clue.method),
+            clue.method.as_deref().unwrap_or_default(),
+            told(&clue.model),
+            clue.model.as_deref().unwrap_or_default(),
+            if clue.is_truth { "1" } else { "" },
+        ]);
+        sets.or_insert(&set, Vec::new()).push(clue);
     }
     let mut found = Vec::new();
-    for files in sets.into_values() {
+    for files in sets.in_order() {
         let is_left_over = |clue: &Clue<'_>| clue.piece.is_none_or(|name| name.kind.is_none());
         if files.iter().all(is_left_over) {
             others.extend(files.into_iter().map(|mut clue| {
@@ -66,9 +67,9 @@ pub(super) fn take<'a>(clues: &mut Vec<Clue<'a>>, grouping: &mut Grouping) -> Ve
 impl<'a> Set<'a> {
     /// Of files that are saved in two kinds, the first kind is taken.
     fn of(files: Vec<Clue<'a>>, grouping: &mut Grouping) -> Option<Self> {
-        let mut best: BTreeMap<String, (usize, &str)> = BTreeMap::new();
+        let mut best: Named<(usize, &str)> = Named::default();
         for clue in &files {
-            let kind = best.entry(own_stem(clue)).or_insert((clue.kind, clue.path));
+            let kind = best.or_insert(&own_stem(clue), (clue.kind, clue.path));
             *kind = (clue.kind, clue.path).min(*kind);
         }
         let mut kept = Vec::new();

@@ -1,10 +1,10 @@
 //! Finding each file its model and its method.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::Grouping;
 use super::clue::{Clue, names_truth};
+use super::named::{Named, Places, joined};
 use super::pieces::{self, Set};
+use super::settling::{place_of, settle};
 use crate::format::Role;
 use crate::sorting::sort_by;
 
@@ -12,16 +12,25 @@ use crate::sorting::sort_by;
 #[derive(Debug)]
 pub(super) struct Draft<'a> {
     pub(super) cloud: Clue<'a>,
-    /// By whose they are and role; truth sorts first.
-    pub(super) files: BTreeMap<(Owner<'a>, Role), &'a str>,
+    /// By whose they are and role.
+    pub(super) files: Named<Placed<'a>>,
     /// Further files of the cloud, where each holds the points of one primitive.
     pub(super) more: Vec<&'a str>,
     /// Files that hold the points of one primitive each, by whose they are.
-    pub(super) pieces: BTreeMap<Owner<'a>, Vec<&'a str>>,
+    pub(super) pieces: Named<(Owner<'a>, Vec<&'a str>)>,
+    has_truth: bool,
+}
+
+/// A file in its place.
+#[derive(Debug)]
+pub(super) struct Placed<'a> {
+    pub(super) owner: Owner<'a>,
+    pub(super) role: Role,
+    pub(super) path: &'a str,
 }
 
 /// Whose a file is.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Owner<'a> {
     Truth,
     /// A method: its name and the folders it was found in, for two of the same name.
@@ -56,11 +65,13 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
     }
     let sets = shelf.with_clouds_of(sets, grouping);
     // Bases whose role folders name methods: there, folders that name none hold the truth.
-    let bases_of_methods: BTreeSet<Vec<&str>> = others
-        .iter()
-        .filter(|clue| clue.in_role_folder && clue.method.is_some())
-        .map(|clue| clue.base.clone())
-        .collect();
+    let mut bases_of_methods = Places::default();
+    let names_method = |clue: &&Clue<'_>| clue.in_role_folder && clue.method.is_some();
+    for clue in others.iter().filter(names_method) {
+        bases_of_methods.give(&clue.home());
+    }
+    let is_of_methods =
+        |clue: &Clue<'_>| clue.in_role_folder && bases_of_methods.get(&clue.home()).is_some();
     let mut at_home = Vec::new();
     let mut strangers = Vec::new();
     for mut clue in others {
@@ -89,73 +100,20 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
         };
         shelf.put_pieces(model, owner, &set, grouping);
     }
-    let with_truth: Vec<bool> = shelf.models.iter().map(Draft::has_truth).collect();
+    let with_truth: Vec<bool> = shelf.models.iter().map(|model| model.has_truth).collect();
     for (model, clue) in strangers {
-        let holds_truth = clue.in_role_folder && bases_of_methods.contains(&clue.base);
+        let holds_truth = is_of_methods(&clue);
         let has_truth = with_truth.get(model).copied().unwrap_or(false);
         let owner = shelf.owner_from_elsewhere(model, &clue, holds_truth, has_truth);
         shelf.put(model, owner, &clue, grouping);
     }
     for (model, set) in sets {
         let has_truth = shelf.has_truth(model);
-        let holds_truth = set.clue.in_role_folder && bases_of_methods.contains(&set.clue.base);
+        let holds_truth = is_of_methods(&set.clue);
         let owner = shelf.owner_from_elsewhere(model, &set.clue, holds_truth, has_truth);
         shelf.put_pieces(model, owner, &set, grouping);
     }
     shelf.models
-}
-
-/// Words behind a model's name that make a file its segments.
-const OF_A_MODEL: [&str; 7] = [
-    "pred",
-    "prediction",
-    "predicted",
-    "result",
-    "gt",
-    "truth",
-    "labelled",
-];
-
-/// Makes segments of the files that could be clouds as well and lie beside or below a cloud of their
-/// name, or are named after one and what is in them.
-fn settle(clues: &mut [Clue<'_>]) {
-    let key = |clue: &Clue<'_>| {
-        let folders = clue.base.iter().map(|&folder| folder.to_owned()).collect();
-        (clue.stem.to_lowercase(), folders)
-    };
-    let is_cloud = |clue: &&Clue<'_>| clue.role == Role::Cloud;
-    // The first kind of file of a place is its cloud.
-    let mut clouds: BTreeMap<(String, Vec<String>), usize> = BTreeMap::new();
-    for clue in clues.iter().filter(is_cloud) {
-        let kind = clouds.entry(key(clue)).or_insert(clue.kind);
-        *kind = clue.kind.min(*kind);
-    }
-    for clue in clues.iter_mut().filter(|clue| clue.is_open) {
-        let (stem, mut folders) = key(clue);
-        let named = stem
-            .rsplit_once(['_', '-'])
-            .filter(|(_, word)| OF_A_MODEL.contains(word));
-        let beside = clouds.get(&(stem.clone(), folders.clone()));
-        let mut is_of_another = beside.is_some_and(|&kind| kind < clue.kind)
-            || named.is_some_and(|(model, _)| {
-                clouds.contains_key(&(model.to_owned(), folders.clone()))
-            });
-        while !is_of_another && folders.pop().is_some() {
-            is_of_another = clouds.contains_key(&(stem.clone(), folders.clone()));
-        }
-        if is_of_another {
-            clue.role = Role::Primitives;
-        }
-    }
-}
-
-impl Draft<'_> {
-    fn has_truth(&self) -> bool {
-        // A cloud of several files holds its own.
-        !self.more.is_empty()
-            || self.pieces.contains_key(&Owner::Truth)
-            || self.files.keys().any(|(owner, _)| *owner == Owner::Truth)
-    }
 }
 
 impl<'a> Owner<'a> {
@@ -165,23 +123,50 @@ impl<'a> Owner<'a> {
             base: clue.base.clone(),
         }
     }
+
+    /// The folders that a method was found in.
+    pub(super) fn base(&self) -> &[&'a str] {
+        match self {
+            Self::Truth => &[],
+            Self::Method { base, .. } => base,
+        }
+    }
+
+    /// Nothing for the truth; different names for different methods.
+    pub(super) fn key(&self) -> String {
+        match self {
+            Self::Truth => String::new(),
+            Self::Method { name, base } => joined(&[name, &base.join("/")]),
+        }
+    }
+}
+
+/// The files of one role that are somebody's, as one name.
+fn key(owner: &Owner<'_>, role: Role) -> String {
+    let role = match role {
+        Role::Cloud => "cloud",
+        Role::Primitives => "primitives",
+        Role::Parametric => "parametric",
+        Role::Implicit => "implicit",
+    };
+    joined(&[&owner.key(), role])
 }
 
 #[derive(Default)]
 struct Shelf<'a> {
     models: Vec<Draft<'a>>,
     /// Models by their name in lower case.
-    by_stem: BTreeMap<String, Vec<usize>>,
+    by_stem: Named<Vec<usize>>,
     /// Models by their name in lower case and the folders of their set.
-    at_home: BTreeMap<(String, Vec<&'a str>), usize>,
+    at_home: Named<usize>,
     /// Models by the folders of their set.
-    by_base: BTreeMap<Vec<&'a str>, Vec<usize>>,
+    by_base: Named<Vec<usize>>,
 }
 
 impl<'a> Shelf<'a> {
     fn add_cloud(&mut self, cloud: Clue<'a>, more: Vec<&'a str>, grouping: &mut Grouping) {
         let stem = cloud.stem.to_lowercase();
-        let key = (stem.clone(), cloud.base.clone());
+        let key = place_of(&stem, &cloud.base);
         if let Some(twin) = self
             .at_home
             .get(&key)
@@ -196,20 +181,19 @@ impl<'a> Shelf<'a> {
             }
             return;
         }
+        let model = self.models.len();
         self.by_base
-            .entry(cloud.base.clone())
-            .or_default()
-            .push(self.models.len());
-        self.at_home.insert(key, self.models.len());
-        self.by_stem
-            .entry(stem)
-            .or_default()
-            .push(self.models.len());
+            .or_insert(&cloud.home(), Vec::new())
+            .push(model);
+        self.at_home.or_insert(&key, model);
+        self.by_stem.or_insert(&stem, Vec::new()).push(model);
         self.models.push(Draft {
             cloud,
-            files: BTreeMap::new(),
+            files: Named::default(),
+            // A cloud of several files holds its own.
+            has_truth: !more.is_empty(),
             more,
-            pieces: BTreeMap::new(),
+            pieces: Named::default(),
         });
     }
 
@@ -262,7 +246,7 @@ impl<'a> Shelf<'a> {
             return Ok(Some(model));
         }
         if let Some((&folder, around)) = clue.base.split_last()
-            && self.by_stem.contains_key(&folder.to_lowercase())
+            && self.by_stem.contains(&folder.to_lowercase())
         {
             let mut named = clue.clone();
             folder.clone_into(&mut named.stem);
@@ -272,7 +256,7 @@ impl<'a> Shelf<'a> {
         let around = clue.base.split_last().map(|(_, around)| around);
         let beside = std::iter::once(&clue.base[..]).chain(around);
         let models = beside
-            .filter_map(|base| self.by_base.get(base))
+            .filter_map(|base| self.by_base.get(&base.join("/")))
             .find(|models| !models.is_empty());
         match models.map_or(&[][..], |models| models) {
             [] => Ok(None),
@@ -282,7 +266,7 @@ impl<'a> Shelf<'a> {
     }
 
     fn has_truth(&self, model: usize) -> bool {
-        self.models.get(model).is_some_and(Draft::has_truth)
+        self.models.get(model).is_some_and(|model| model.has_truth)
     }
 
     fn put_pieces(
@@ -295,11 +279,13 @@ impl<'a> Shelf<'a> {
         let Some(draft) = self.models.get_mut(model) else {
             return;
         };
-        let first = draft
-            .files
-            .get(&(owner.clone(), Role::Primitives))
-            .or_else(|| draft.pieces.get(&owner)?.first());
-        if let Some(first) = first {
+        let whose = owner.key();
+        let pieces = draft
+            .pieces
+            .get(&whose)
+            .and_then(|(_, paths)| paths.first());
+        let file = draft.files.get(&key(&owner, Role::Primitives));
+        if let Some(first) = file.map(|file| file.path).or(pieces.copied()) {
             let reason = format!("{first} already gives the same for {}", draft.cloud.stem);
             for file in &set.files {
                 grouping.reject(file.path, reason.clone());
@@ -307,7 +293,8 @@ impl<'a> Shelf<'a> {
             return;
         }
         let paths = set.files.iter().map(|clue| clue.path);
-        draft.pieces.insert(owner, paths.collect());
+        draft.has_truth |= owner == Owner::Truth;
+        draft.pieces.or_insert(&whose, (owner, paths.collect()));
     }
 
     /// The model a file belongs to; `PC1_HT_primitives.txt` is split into model and method if
@@ -342,7 +329,7 @@ impl<'a> Shelf<'a> {
     /// Of models of the same name, the one in the same folder, else the one with most folders in
     /// common, else the one laid out alike.
     fn nearest(&self, models: &[usize], clue: &Clue<'a>) -> Result<usize, String> {
-        let key = (clue.stem.to_lowercase(), clue.base.clone());
+        let key = place_of(&clue.stem.to_lowercase(), &clue.base);
         if let (Some(&model), None) = (self.at_home.get(&key), &clue.model) {
             return Ok(model);
         }
@@ -444,16 +431,22 @@ impl<'a> Shelf<'a> {
         let Some(draft) = self.models.get_mut(model) else {
             return;
         };
-        let pieces = draft.pieces.get(&owner).and_then(|paths| paths.first());
+        let pieces = draft
+            .pieces
+            .get(&owner.key())
+            .and_then(|(_, paths)| paths.first());
         let pieces = pieces.filter(|_| clue.role == Role::Primitives);
-        match draft.files.get(&(owner.clone(), clue.role)).or(pieces) {
-            None => {
-                draft.files.insert((owner, clue.role), clue.path);
-            }
-            Some(first) => grouping.reject(
+        let key = key(&owner, clue.role);
+        let file = draft.files.get(&key).map(|file| file.path);
+        if let Some(first) = file.or(pieces.copied()) {
+            let stem = &draft.cloud.stem;
+            return grouping.reject(
                 clue.path,
-                format!("{first} already gives the same for {}", draft.cloud.stem),
-            ),
+                format!("{first} already gives the same for {stem}"),
+            );
         }
+        draft.has_truth |= owner == Owner::Truth;
+        let (role, path) = (clue.role, clue.path);
+        draft.files.or_insert(&key, Placed { owner, role, path });
     }
 }

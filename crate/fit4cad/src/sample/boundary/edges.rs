@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::curves::{Curve, curves};
 use super::{Boundary, tolerance};
 use crate::cloud::{Point, Vector};
+use crate::sorting::sort_by;
 
 /// A point on an edge or at a corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -177,7 +178,7 @@ impl Edges<'_> {
         });
         let known = &mut self.points[index].carriers;
         known.append(&mut all);
-        known.sort_unstable();
+        sort_by(known, |one, other| one.cmp(other));
         known.dedup();
     }
 
@@ -221,7 +222,7 @@ impl Edges<'_> {
         let faces = self.boundary.faces_at(point);
         let carriers = faces.iter().map(|&face| self.boundary.faces[face].carrier);
         let mut carriers: Vec<usize> = carriers.collect();
-        carriers.sort_unstable();
+        sort_by(&mut carriers, |one, other| one.cmp(other));
         carriers.dedup();
         carriers
     }

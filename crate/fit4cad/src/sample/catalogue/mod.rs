@@ -31,16 +31,26 @@ pub(super) fn part(name: &str) -> Result<Part, SampleError> {
         name: name.to_owned(),
         known: PARTS.iter().map(|part| part.name).collect(),
     };
-    found.map(|part| (part.make)()).ok_or_else(unknown)
+    found.map(PartInfo::part).ok_or_else(unknown)
 }
 
+impl PartInfo {
+    /// The part itself.
+    pub(super) fn part(&self) -> Part {
+        (self.make)()
+    }
+}
+
+/// The part that the page opens with.
+pub(super) const FIRST: PartInfo = PartInfo {
+    name: "bracket",
+    title: "Angle bracket",
+    description: "Two legs with a rounded bend, a gusset, bolt holes and a countersink.",
+    make: milled::bracket,
+};
+
 const PARTS: &[PartInfo] = &[
-    PartInfo {
-        name: "bracket",
-        title: "Angle bracket",
-        description: "Two legs with a rounded bend, a gusset, bolt holes and a countersink.",
-        make: milled::bracket,
-    },
+    FIRST,
     PartInfo {
         name: "flange",
         title: "Flange with bolt holes",
