@@ -239,6 +239,6 @@ fn an_observer_can_stop_a_fit() {
     let cloud = Cloud::new(boss_on_a_plate());
     for method in METHODS {
         let outcome = fit(&cloud, method, &Parameters::default(), 1, &mut Impatient);
-        assert_eq!(outcome, Err(Cancelled));
+        assert_eq!(outcome, Err(Cancelled.into()));
     }
 }
