@@ -1,7 +1,7 @@
 //! The last step: every surface is fitted by least squares to the points it has in the end.
 //!
-//! Patches of one surface stay on one, and have all their points in its fit. Points that are on several surfaces, as those of
-//! edges are, have no say where the others suffice: they lie between.
+//! Patches of one surface stay on one, and have all their points in its fit. Points at the edges have no say where the others
+//! suffice: within noise some of them are the neighbour's, all on the same side.
 
 use super::least_squares::{self, BIWEIGHT, Loss, degrees_of_freedom};
 use super::progress::{Cancelled, Observer, Stage};
@@ -14,13 +14,18 @@ use crate::surface::Surface;
 const FIRST: usize = 2000;
 /// These few, each of which leaves a hundredth of what there was to go.
 const STEPS: usize = 4;
-/// Share of its points that a surface keeps without those on several.
-const ENOUGH: f64 = 0.5;
-/// And how many of them for each degree of freedom.
+/// Neighbours of a point inside a face that are on the same surface, and on no other.
+const INSIDE: usize = 10;
+/// Share of its points that a surface has to have inside, and how many of them for each degree of freedom, to be fitted to these.
+const ENOUGH: f64 = 0.25;
 const EACH: usize = 4;
 /// By how many standard deviations of what chance gains a fit has to be better than a surface that may be exact by what it shares
 /// with others.
 const SIGNIFICANT: f64 = 3.0;
+
+/// The place of a point on no surface, and of one on several.
+const NONE: u32 = u32::MAX;
+const SEVERAL: u32 = u32::MAX - 1;
 
 /// A surface as it was found, and as its points have it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,20 +58,23 @@ pub fn refit(
             None => groups.push((surface, vec![primitive])),
         }
     }
-    // On how many surfaces each point is.
-    let mut surfaces = vec![0u8; search.cloud.len()];
-    for (_, patches) in &groups {
+    let mut surfaces = vec![NONE; search.cloud.len()];
+    for (place, (_, patches)) in (0u32..).zip(&groups) {
         for index in indices(patches) {
-            let count = &mut surfaces[index as usize];
-            *count = count.saturating_add(1);
+            let on = &mut surfaces[index as usize];
+            *on = if *on == NONE { place } else { SEVERAL };
         }
     }
     let mut refitted = Vec::new();
-    for (surface, patches) in groups {
+    for (place, (surface, patches)) in (0u32..).zip(groups) {
         observer.progress(Stage::Patches, 1.0)?;
         let all = indices(&patches);
-        let alone = all.iter().filter(|&&index| surfaces[index as usize] == 1);
-        let mut own: Vec<u32> = alone.copied().collect();
+        let is_own = |index: u32| surfaces[index as usize] == place;
+        let is_inside = |&&index: &&u32| {
+            let mut near = search.graph.of(index).iter().take(INSIDE);
+            is_own(index) && near.all(|&other| is_own(other))
+        };
+        let mut own: Vec<u32> = all.iter().filter(is_inside).copied().collect();
         let needed = EACH * degrees_of_freedom(surface.kind());
         if own.len() < needed || (own.len() as f64) < ENOUGH * all.len() as f64 {
             own = all;

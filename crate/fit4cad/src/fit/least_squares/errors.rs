@@ -9,8 +9,9 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use super::charts::{Chart, ConeChart, CylinderChart, SphereChart, TorusChart};
 use super::{Frame, Loss};
-use crate::cloud::{Direction, Point, Vector};
+use crate::cloud::{Cloud, Direction, Point, Vector};
 use crate::fit::quantile::quantile;
+use crate::model::Primitive;
 use crate::surface::{Plane, Surface, across};
 
 /// Standard deviations of normal noise beyond which a point has no say: 95 % as efficient as least squares (Huber 1981).
@@ -45,6 +46,39 @@ pub struct StandardErrors {
 }
 
 impl StandardErrors {
+    /// Names of all, as results have them, with the unit: empty where it is the cloud's.
+    pub const NAMES: [(&'static str, &'static str); 6] = [
+        ("axis", "rad"),
+        ("position", ""),
+        ("offset", ""),
+        ("radius", ""),
+        ("minorRadius", ""),
+        ("halfAngle", "rad"),
+    ];
+
+    /// All, in the order of [`StandardErrors::NAMES`].
+    pub const fn values(&self) -> [Option<f64>; 6] {
+        [
+            self.axis,
+            self.position,
+            self.offset,
+            self.radius,
+            self.minor_radius,
+            self.half_angle,
+        ]
+    }
+
+    /// Those of the surface of a primitive by its points; all are missing where it has no surface.
+    pub fn of_primitive(cloud: &Cloud, primitive: &Primitive) -> Self {
+        let Some(surface) = &primitive.surface else {
+            return Self::default();
+        };
+        let all = cloud.points();
+        let listed = primitive.points.iter();
+        let points = listed.filter_map(|&index| all.get(index as usize).copied());
+        Self::of(surface, &points.collect::<Vec<_>>())
+    }
+
     /// Those of a surface by points that it has been fitted to. All are missing where there are no more points than
     /// degrees of freedom. O(points).
     ///

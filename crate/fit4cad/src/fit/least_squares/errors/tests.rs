@@ -120,17 +120,6 @@ fn estimates(surface: &Surface, middle: &Point) -> [Option<Vector>; 6] {
     }
 }
 
-fn listed(errors: &StandardErrors) -> [Option<f64>; 6] {
-    [
-        errors.axis,
-        errors.position,
-        errors.offset,
-        errors.radius,
-        errors.minor_radius,
-        errors.half_angle,
-    ]
-}
-
 /// Root mean square distance of some estimates from their mean.
 fn spread(estimates: &[Vector]) -> f64 {
     let count = estimates.len() as f64;
@@ -164,7 +153,7 @@ fn assert_agreement(outliers: bool) {
             }
             let fitted = fit(&truth, &points, loss).unwrap().surface;
             found.push(estimates(&fitted, &Point::from(middle)));
-            said.push(listed(&StandardErrors::of(&fitted, &points)));
+            said.push(StandardErrors::of(&fitted, &points).values());
         }
         for parameter in 0..6 {
             let own: Vec<Vector> = found.iter().filter_map(|it| it[parameter]).collect();
