@@ -15,7 +15,7 @@ import * as format from "../ui/format";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
-import { alone, plusMinus } from "./plus-minus";
+import { offBy, plusMinus } from "./plus-minus";
 import { errorsOf, follow } from "./sure";
 
 interface Row {
@@ -58,7 +58,7 @@ const ERRORS: readonly Column<Row>[] = [
     id: "position-error",
     head: "Position",
     label: "standard error of the position",
-    cell: ({ errors }) => alone(errors?.position),
+    cell: ({ errors }) => offBy(errors?.position),
     sortBy: ({ errors }) => errors?.position ?? undefined,
   },
   {
@@ -73,7 +73,7 @@ const ERRORS: readonly Column<Row>[] = [
 const DEGREE = Math.PI / 180;
 
 function degrees(error: number | null | undefined): string {
-  const told = alone(error && error / DEGREE);
+  const told = offBy(error && error / DEGREE);
   return told && `${told}°`;
 }
 

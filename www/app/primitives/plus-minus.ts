@@ -7,12 +7,12 @@ const DIGITS = 5;
 export function plusMinus(value: number, error: number | null | undefined): string {
   if (!isKnown(error)) return value.toPrecision(DIGITS);
   const decimals = decimalsOf(error);
-  if (value === 0 || decimals > DIGITS - 1 - Math.floor(Math.log10(Math.abs(value)))) return `${value.toPrecision(DIGITS)} ${alone(error)}`;
+  if (value === 0 || decimals > DIGITS - 1 - Math.floor(Math.log10(Math.abs(value)))) return `${value.toPrecision(DIGITS)} ${offBy(error)}`;
   return `${value.toFixed(Math.max(0, decimals))} ± ${error.toFixed(Math.max(0, decimals))}`;
 }
 
 /** `± 0.01`, `± 3e−9`; nothing where it is not known. */
-export function alone(error: number | null | undefined): string {
+export function offBy(error: number | null | undefined): string {
   if (!isKnown(error)) return "";
   const decimals = decimalsOf(error);
   return `± ${decimals > DIGITS ? error.toExponential(0).replace("e-", "e−") : error.toFixed(Math.max(0, decimals))}`;
