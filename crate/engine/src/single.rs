@@ -67,6 +67,7 @@ pub struct SingleInfo {
 
 /// What came of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
 pub struct Singles {
     /// Name of the submission.
     pub method: String,
