@@ -103,13 +103,14 @@ function table(models) {
     return "";
   }
   const types = SURFACE_TYPES.map(({ name }) => name);
-  const head = ["model", "points", "seconds", "primitives", ...types.map((type) => type.toLowerCase())];
-  const rows = models.map(({ model, points, seconds, primitives, types: counts }) => [
+  const head = ["model", "points", "seconds", "primitives", ...types.map((type) => type.toLowerCase()), "noise"];
+  const rows = models.map(({ model, points, seconds, noise, primitives, types: counts }) => [
     model,
     String(points),
     seconds.toFixed(3),
     String(primitives.length),
     ...types.map((type) => String(counts[type])),
+    `${noise.deviation.toExponential(1)} ${noise.source}`,
   ]);
   return `${align([head, ...rows], 1)}\n`;
 }

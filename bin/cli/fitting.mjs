@@ -2,6 +2,8 @@
 
 import { join } from "node:path";
 import { SEGMENTATION } from "../../www/shared/roles.mjs";
+import { isStop } from "./engine.mjs";
+import { unusable } from "./inputs.mjs";
 import { shareOut } from "./jobs.mjs";
 import { eachModel, unplacedAmong } from "./models.mjs";
 import { problemOf, writeWhole } from "./write.mjs";
@@ -27,11 +29,21 @@ import { problemOf, writeWhole } from "./write.mjs";
  */
 
 /**
+ * @typedef {object} Primitive
+ * @property {string | null} type
+ * @property {number} points
+ * @property {number | null} mfe
+ * @property {import("../engine/engine.js").SurfaceInfo | null} surface
+ * @property {import("../engine/engine.js").StandardErrorsInfo} standardErrors how sure the surface is
+ */
+
+/**
  * @typedef {object} Fitted
  * @property {string} model
  * @property {number} points
  * @property {number} seconds of fitting, without reading
- * @property {{ type: string | null, points: number, mfe: number | null }[]} primitives
+ * @property {import("../engine/engine.js").NoiseInfo} noise that was given or measured
+ * @property {Primitive[]} primitives
  * @property {import("../engine/engine.js").Types} types how many primitives are of each type
  * @property {string} [error] why its files could not be written
  */
@@ -101,10 +113,21 @@ export async function fitEach(engine, files, { take, progress = () => {}, claim 
       return;
     }
     const heard = throttled((stage, share) => progress(`${place}, ${stage} ${Math.round(100 * share)} %`));
-    const { name, seconds } = fitModel(model, settings, heard);
+    let fit;
+    try {
+      fit = fitModel(model, settings, heard);
+    } catch (error) {
+      if (isStop(error) || !(error instanceof Error)) {
+        throw error;
+      }
+      // A parameter may suit the other clouds.
+      models.push({ index, diagnostics: [...diagnostics, unusable(info.name, error.message)] });
+      return;
+    }
+    const { name, seconds } = fit;
     const error = problemOf(() => take(able, info.name, name, model.write(name)));
     const fitted = {
-      ...{ model: info.name, points: info.points, seconds, primitives: listed(model, name), types: model.types(name) },
+      ...{ model: info.name, points: info.points, seconds, noise: noiseOf(model, name), primitives: listed(model, name), types: model.types(name) },
       ...(error === undefined ? {} : { error }),
     };
     models.push({ index, fitted, diagnostics });
@@ -146,7 +169,23 @@ export function fitModel(model, { method, parameters = {}, seed = 1 }, progress 
  * @param {string} name
  */
 function listed(model, name) {
-  return model.primitives(name).map(({ type, size, mfe }) => ({ type: type ?? null, points: size, mfe: mfe ?? null }));
+  const errors = model.standardErrors(name);
+  return model.primitives(name).flatMap(({ type, size, mfe, surface }, place) => {
+    const standardErrors = errors[place];
+    return standardErrors ? [{ type: type ?? null, points: size, mfe: mfe ?? null, surface: surface ?? null, standardErrors }] : [];
+  });
+}
+
+/**
+ * @param {Model} model
+ * @param {string} name
+ */
+function noiseOf(model, name) {
+  const noise = model.noise(name);
+  if (noise === undefined) {
+    throw new Error(`${name} was not fitted here`);
+  }
+  return noise;
 }
 
 /**

@@ -53,11 +53,38 @@ for (const method of ["ht", "pg"]) {
 test("a cloud alone is fitted, and its JSON tells points, type and fit of each primitive", (t) => {
   const root = folder(t, { "PC1.txt": plate() });
   const [model, ...others] = fitJson("--method", "ht", root);
-  assert.deepEqual(Object.keys(model), ["engine", "model", "points", "seconds", "primitives", "types"]);
+  assert.deepEqual(Object.keys(model), ["engine", "model", "points", "seconds", "noise", "primitives", "types"]);
   assert.deepEqual([model.model, model.points, others.length], ["PC1", 400, 0]);
   assert.ok(model.seconds > 0);
   assert.deepEqual(model.primitives.map(({ type, points }) => ({ type, points })), [{ type: "Plane", points: 400 }]);
   assert.ok((model.primitives[0].mfe ?? NaN) < 1e-9);
+  assert.equal(model.primitives[0].surface?.type, "Plane");
+  assert.ok((model.primitives[0].standardErrors.axis ?? NaN) < 1e-9);
+  assert.equal(model.primitives[0].standardErrors.radius, null);
+});
+
+test("the noise that is given replaces what is measured, and either is told", (t) => {
+  const root = folder(t, {});
+  fit4cad("generate", "flange", "--spacing", "0.02", "--noise", "0.002", "--out", root);
+  const [measured] = fitJson("--method", "ht", root);
+  assert.deepEqual([measured.noise.source, measured.noise.kind], ["measured", "scattered"]);
+  const [given] = fitJson("--method", "ht", "--noise", String(2 * measured.noise.deviation), root);
+  assert.deepEqual(given.noise, { deviation: 2 * measured.noise.deviation, source: "given", kind: null, step: 0 });
+  assert.notDeepEqual(given.primitives, measured.primitives);
+  const cylinder = measured.primitives.find(({ type }) => type === "Cylinder");
+  assert.ok((cylinder?.standardErrors.radius ?? NaN) < measured.noise.deviation);
+});
+
+test("noise that cannot be is told of, and other clouds are fitted all the same", (t) => {
+  const wide = plate().replaceAll("19", "1900");
+  const root = folder(t, { "PC1.txt": plate(), "PC2.txt": wide });
+  const { code, out, err } = fit4cad("fit", "--method", "ht", "--noise", "40", "--json", root);
+  assert.equal(code, 1);
+  assert.match(err, /PC1.*`noise` is 40, and the cloud no more than 26\.\d+ from corner to corner/);
+  assert.deepEqual(JSON.parse(out).map(({ model }) => model), ["PC2"]);
+  for (const bad of ["-1", "NaN", "wide"]) {
+    assert.equal(fit4cad("fit", "--method", "ht", "--noise", bad, root).code, 2);
+  }
 });
 
 test("files, folders and zips are fitted in the order of the models, each once", (t) => {

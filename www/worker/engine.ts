@@ -164,6 +164,10 @@ const worker: EngineWorker = {
     return (await readWholly(source)).section(axis, share, thickness, method);
   },
 
+  async standardErrors(source, method) {
+    return (await readWholly(source)).standardErrors(method);
+  },
+
   async summarise(scores) {
     await ready;
     return summarise(scores);
@@ -346,7 +350,7 @@ const worker: EngineWorker = {
       const start = performance.now();
       const name = model.fit(method, { ...parameters }, seed, paced(onStage));
       const seconds = (performance.now() - start) / 1000;
-      return { method: name, files: written(model, source.name, name), primitives: model.primitives(name).length, seconds };
+      return { method: name, files: written(model, source.name, name), primitives: model.primitives(name).length, seconds, noise: model.noise(name) };
     } finally {
       model.free();
     }

@@ -20,6 +20,7 @@ import type {
   Histogram,
   MethodSummary,
   ModelInfo,
+  NoiseInfo,
   ModelStatistics,
   Override,
   PatchMesh,
@@ -30,6 +31,7 @@ import type {
   Scores,
   SectionInfo,
   Segment,
+  StandardErrorsInfo,
 } from "../generated/engine/engine.js";
 import type { FieldResult } from "../shared/formats/field.mjs";
 import type { Reported, comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
@@ -150,6 +152,8 @@ export interface FittedModel {
   readonly primitives: number;
   /** Seconds of fitting, without reading. */
   readonly seconds: number;
+  /** The noise it went by. */
+  readonly noise: NoiseInfo | undefined;
 }
 
 /** Hears how much of a long file is read, 0 to 1. */
@@ -185,6 +189,8 @@ export interface EngineWorker {
   histogram(source: ModelSource, wanted: readonly Counted[], bins: number, logarithmic: boolean): Promise<Histogram>;
   /** The points, ascending and each once, that the intervals `first` to `last` of that histogram count; a list for each of those asked for. */
   pointsInBins(source: ModelSource, wanted: readonly Counted[], bins: number, logarithmic: boolean, first: number, last: number): Promise<readonly Uint32Array[]>;
+  /** How sure the surface of each primitive of a method is by its points. */
+  standardErrors(source: ModelSource, method: string): Promise<readonly StandardErrorsInfo[]>;
   /** The cross-section across an axis, at a share of the cloud's extent, of points in a layer as thick as a share of its diagonal; nothing of no points. */
   section(source: ModelSource, method: string | undefined, axis: number, share: number, thickness: number): Promise<SectionInfo | undefined>;
   /** Sums up reports method by method: one call for all of them. */

@@ -43,7 +43,7 @@ impl Model {
     /// ends the fit and reaches the caller.
     ///
     /// # Errors
-    /// If a parameter is unknown or out of its range, or `progress` throws.
+    /// If a parameter is unknown or out of its range, the noise given larger than the cloud, or `progress` throws.
     pub fn fit(
         &mut self,
         method: Ts<FitMethod>,
@@ -65,11 +65,12 @@ impl Model {
         let cloud = &self.model.cloud;
         let seed = u64::from(seed);
         let fitted = fit::fit(cloud, method, &parameters, seed, &mut listener);
-        let fitted = fitted.map_err(|cancelled| {
+        let fitted = fitted.map_err(|error| {
             let thrown = listener.thrown.take();
-            thrown.unwrap_or_else(|| JsError::from(cancelled).into())
+            thrown.unwrap_or_else(|| JsError::from(error).into())
         })?;
         let name = self.free_name(&fitted.title(method));
+        self.noise.insert(name.clone(), fitted.noise);
         self.model.submit(&name, fitted.segmentation);
         Ok(name)
     }

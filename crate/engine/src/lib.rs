@@ -17,6 +17,8 @@ mod comparison;
 mod declared;
 mod diagnostic;
 #[cfg(feature = "workshop")]
+mod errors;
+#[cfg(feature = "workshop")]
 mod export;
 #[cfg(feature = "workshop")]
 mod field;
@@ -67,6 +69,8 @@ pub use declared::{
     ShapeInfo, StageInfo, SurfaceTypeInfo, Term, declarations,
 };
 pub use diagnostic::{DiagnosticInfo, Severity, one_lines};
+#[cfg(feature = "workshop")]
+pub use errors::{NoiseInfo, StandardErrorsInfo};
 #[cfg(feature = "workshop")]
 pub use export::ExportInfo;
 #[cfg(feature = "workshop")]

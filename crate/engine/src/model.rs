@@ -89,6 +89,9 @@ pub struct Model {
     wants_whole: bool,
     /// Whose surfaces were fitted here.
     pub(crate) fitted: Fitted,
+    /// The noise that fits made here went by.
+    #[cfg(feature = "workshop")]
+    pub(crate) noise: BTreeMap<String, fit4cad::fit::Noise>,
 }
 
 /// Who reads files that are not the benchmark's own: the scorer leaves them to the whole engine.
@@ -126,6 +129,8 @@ impl Model {
             method_of_file,
             wants_whole,
             fitted,
+            #[cfg(feature = "workshop")]
+            noise: BTreeMap::new(),
         })
     }
 
@@ -300,6 +305,8 @@ impl Model {
             method_of_file: BTreeMap::new(),
             wants_whole: false,
             fitted: Fitted::new(),
+            #[cfg(feature = "workshop")]
+            noise: BTreeMap::new(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Clouds and segments that are one primitive each.
 
+use fit4cad::cloud::Point;
 use fit4cad::fit::single::{Recognised, Verdict, recognise};
 use fit4cad::format::write_answer;
 use fit4cad::model::{Primitive, Segmentation};
@@ -8,18 +9,22 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::errors::StandardErrorsInfo;
 use crate::hand_over;
 use crate::model::Model;
 use crate::primitive::{SurfaceInfo, SurfaceType};
 
 /// A surface and how far the points are from it, in the units of the cloud.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
 pub struct VerdictInfo {
     /// Its type.
     #[serde(rename = "type")]
     pub kind: SurfaceType,
     /// The surface.
     pub surface: SurfaceInfo,
+    /// How sure it is.
+    pub standard_errors: StandardErrorsInfo,
     /// Mean distance.
     pub mean: f64,
     /// Root mean square distance.
@@ -28,9 +33,10 @@ pub struct VerdictInfo {
     pub largest: f64,
 }
 
-impl From<&Verdict> for VerdictInfo {
-    fn from(verdict: &Verdict) -> Self {
+impl VerdictInfo {
+    fn of(verdict: &Verdict, points: &[Point]) -> Self {
         Self {
+            standard_errors: StandardErrorsInfo::of(&verdict.surface, points),
             kind: verdict.surface.kind().into(),
             surface: SurfaceInfo::from(&verdict.surface),
             mean: verdict.mean,
@@ -61,6 +67,7 @@ pub struct SingleInfo {
 
 /// What came of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[tsify(missing_as_null)]
 pub struct Singles {
     /// Name of the submission.
     pub method: String,
@@ -86,11 +93,16 @@ impl Model {
         } in recognised
         {
             let second = single.others.first().unwrap_or(&single.best);
+            let all = self.model.cloud.points();
+            let own = points.iter();
+            let own: Vec<Point> = own
+                .filter_map(|&index| all.get(index as usize).copied())
+                .collect();
             segments.push(SingleInfo {
                 number,
                 points: points.len() as u32,
-                best: VerdictInfo::from(&single.best),
-                runner_up: VerdictInfo::from(second),
+                best: VerdictInfo::of(&single.best, &own),
+                runner_up: VerdictInfo::of(second, &own),
                 margin: single.margin,
                 answer: write_answer(&single.best.surface),
             });

@@ -6,7 +6,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::cloud::Cloud;
-use crate::fit::{self, Cancelled, Fit, Method, Observer, Parameters, Stage};
+use crate::fit::{self, Cancelled, Fit, FitError, Method, Observer, Parameters, Stage};
 use crate::metrics::{Protocol, Report, evaluate};
 use crate::model::Segmentation;
 
@@ -45,7 +45,7 @@ pub fn fit_all(
     parameters: &Parameters,
     seed: u64,
     batch: &Batch<'_>,
-) -> Vec<Result<Fit, Cancelled>> {
+) -> Vec<Result<Fit, FitError>> {
     each(clouds, batch, |cloud| {
         fit::fit(cloud, method, parameters, seed, &mut Stopper(batch.stop))
     })
@@ -77,14 +77,14 @@ impl Observer for Stopper<'_> {
 }
 
 /// Does something with each, in their order or side by side.
-fn each<T: Sync, R: Send>(
+fn each<T: Sync, R: Send, E: From<Cancelled> + Send>(
     all: &[T],
     batch: &Batch<'_>,
-    body: impl Fn(&T) -> Result<R, Cancelled> + Sync + Send,
-) -> Vec<Result<R, Cancelled>> {
+    body: impl Fn(&T) -> Result<R, E> + Sync + Send,
+) -> Vec<Result<R, E>> {
     let counted = |one: &T| {
         if batch.stop.load(Ordering::Relaxed) {
-            return Err(Cancelled);
+            return Err(Cancelled.into());
         }
         let result = body(one);
         batch.done.fetch_add(1, Ordering::Relaxed);
@@ -158,7 +158,7 @@ mod tests {
         };
         let parameters = Parameters::default();
         let fits = fit_all(&[&cloud, &cloud], Method::Hough, &parameters, 1, &batch);
-        assert!(fits.iter().all(|fit| *fit == Err(Cancelled)));
+        assert!(fits.iter().all(|fit| *fit == Err(Cancelled.into())));
         assert_eq!(done.into_inner(), 0);
     }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use fit4cad::batch::{Batch, fit_all, score_all};
 use fit4cad::cloud;
-use fit4cad::fit::Cancelled;
+use fit4cad::fit::FitError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -40,9 +40,9 @@ pub(crate) fn fit_many(
         fit_all(&clouds, method, &parameters, u64::from(seed), batch)
     })?;
     let fitted = fitted.into_iter();
-    let segmentations = fitted.map(|fit| fit.map(|fit| fit.segmentation.into()));
+    let segmentations = fitted.map(|fit| fit.map(Segmentation::from));
     segmentations
-        .collect::<Result<_, Cancelled>>()
+        .collect::<Result<_, FitError>>()
         .map_err(refused)
 }
 

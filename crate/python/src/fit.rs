@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
+use fit4cad::cloud::Point;
+use fit4cad::fit::least_squares::StandardErrors;
 use fit4cad::fit::parameters::TABLE;
 use fit4cad::fit::single::fit_segments as segments;
 use fit4cad::fit::single::recognise as each;
@@ -16,7 +18,7 @@ use pyo3::types::{PyDict, PyList};
 
 use crate::cloud::Cloud;
 use crate::dict::{dict, refused};
-use crate::segmentation::Segmentation;
+use crate::segmentation::{Segmentation, errors_to_dict};
 use crate::surface::{kind_of, to_dict};
 
 /// How often the interpreter is asked whether somebody pressed Ctrl-C: soon enough for a hand, and far too
@@ -75,9 +77,9 @@ pub(crate) fn fit(
     match fitted {
         Ok(fitted) => {
             let title = fitted.title(method);
-            Ok((fitted.segmentation.into(), title))
+            Ok((fitted.into(), title))
         }
-        Err(cancelled) => Err(listener.raised.unwrap_or_else(|| refused(cancelled))),
+        Err(error) => Err(listener.raised.unwrap_or_else(|| refused(error))),
     }
 }
 
@@ -117,7 +119,7 @@ pub(crate) fn fit_single<'py>(
             .filter_map(|&at| all.get(at as usize).copied());
         single(&points.collect::<Vec<_>>(), &kinds)
     });
-    let dict = single_to_dict(py, number, listed.len(), &found)?;
+    let dict = single_to_dict(py, number, &listed, cloud, &found)?;
     let primitives = vec![Primitive::on(found.best.surface, number, listed)];
     Ok((dict, model::Segmentation { primitives }.into()))
 }
@@ -135,7 +137,9 @@ pub(crate) fn recognise<'py>(
     let found = py.detach(|| each(&cloud.cloud, segments));
     let (list, mut primitives) = (PyList::empty(py), Vec::new());
     for it in found {
-        list.append(single_to_dict(py, it.number, it.points.len(), &it.single)?)?;
+        list.append(single_to_dict(
+            py, it.number, &it.points, cloud, &it.single,
+        )?)?;
         let surface = it.single.best.surface;
         primitives.push(Primitive::on(surface, it.number, it.points));
     }
@@ -145,24 +149,35 @@ pub(crate) fn recognise<'py>(
 fn single_to_dict<'py>(
     py: Python<'py>,
     number: u32,
-    points: usize,
+    points: &[u32],
+    cloud: &Cloud,
     found: &Single,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let all = cloud.cloud.points();
+    let own = points.iter();
+    let own = own.filter_map(|&index| all.get(index as usize).copied());
+    let own: Vec<Point> = own.collect();
     let second = found.others.first().unwrap_or(&found.best);
     Ok(dict!(py;
         "number" => number,
-        "points" => points,
-        "best" => verdict(py, &found.best)?,
-        "runnerUp" => verdict(py, second)?,
+        "points" => points.len(),
+        "best" => verdict(py, &found.best, &own)?,
+        "runnerUp" => verdict(py, second, &own)?,
         "margin" => found.margin,
         "answer" => write_answer(&found.best.surface),
     ))
 }
 
-fn verdict<'py>(py: Python<'py>, verdict: &Verdict) -> PyResult<Bound<'py, PyDict>> {
+fn verdict<'py>(
+    py: Python<'py>,
+    verdict: &Verdict,
+    points: &[Point],
+) -> PyResult<Bound<'py, PyDict>> {
+    let errors = StandardErrors::of(&verdict.surface, points);
     Ok(dict!(py;
         "type" => verdict.surface.kind().name(),
         "surface" => to_dict(py, &verdict.surface)?,
+        "standardErrors" => errors_to_dict(py, &errors)?,
         "mean" => verdict.mean,
         "rms" => verdict.rms,
         "largest" => verdict.largest,

@@ -1,5 +1,7 @@
 //! Points grouped into primitives, in and out.
 
+use fit4cad::fit::least_squares::StandardErrors;
+use fit4cad::fit::{Fit, Noise};
 use fit4cad::format::by_label;
 use fit4cad::metrics::accuracy::fit_accuracy;
 use fit4cad::model::{self, Coefficients, Primitive};
@@ -18,11 +20,25 @@ use crate::surface::{from_dict, kind_of, to_dict};
 #[derive(Debug)]
 pub(crate) struct Segmentation {
     pub(crate) segmentation: model::Segmentation,
+    /// The noise that it was fitted by.
+    pub(crate) noise: Option<Noise>,
+}
+
+impl From<Fit> for Segmentation {
+    fn from(fit: Fit) -> Self {
+        Self {
+            segmentation: fit.segmentation,
+            noise: Some(fit.noise),
+        }
+    }
 }
 
 impl From<model::Segmentation> for Segmentation {
     fn from(segmentation: model::Segmentation) -> Self {
-        Self { segmentation }
+        Self {
+            segmentation,
+            noise: None,
+        }
     }
 }
 
@@ -96,6 +112,7 @@ impl Segmentation {
                 "parametric" => vector(&primitive.parametric),
                 "implicit" => vector(&primitive.implicit),
                 "mfe" => mfe.map(|accuracy| accuracy.mfe),
+                "standardErrors" => errors_to_dict(py, &StandardErrors::of_primitive(&cloud.cloud, primitive))?,
             ))?;
         }
         Ok(list)
@@ -114,6 +131,19 @@ impl Segmentation {
         labels.into_pyarray(py)
     }
 
+    /// The noise that it was fitted by, where it was fitted.
+    fn noise<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(noise) = &self.noise else {
+            return Ok(None);
+        };
+        Ok(Some(dict!(py;
+            "deviation" => noise.deviation,
+            "source" => noise.source.name(),
+            "kind" => noise.kind.map(|kind| kind.name()),
+            "step" => noise.step,
+        )))
+    }
+
     /// How many primitives are of each type.
     fn types<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         counted(py, &types_of(&self.segmentation))
@@ -124,6 +154,18 @@ impl Segmentation {
         let mut primitives = self.segmentation.primitives.iter();
         primitives.all(|primitive| primitive.surface.is_none())
     }
+}
+
+/// Standard errors by their names.
+pub(crate) fn errors_to_dict<'py>(
+    py: Python<'py>,
+    errors: &StandardErrors,
+) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for ((name, _), value) in StandardErrors::NAMES.iter().zip(errors.values()) {
+        dict.set_item(name, value)?;
+    }
+    Ok(dict)
 }
 
 /// Counts by type, in the order of the types.

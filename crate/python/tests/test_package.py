@@ -164,6 +164,21 @@ def test_zips_are_read_and_what_is_damaged_is_said(tmp_path):
         fit4cad.read(tmp_path / "broken.zip")
 
 
+def test_the_noise_is_told_and_every_parameter_has_a_standard_error():
+    model = fit4cad.generate("flange", spacing=0.03, noise=0.002)
+    measured = fit4cad.fit(model)
+    assert measured.noise.source == "measured" and measured.noise.kind == "scattered"
+    given = fit4cad.fit(model, noise=2 * measured.noise.deviation)
+    assert given.noise == fit4cad.Noise(2 * measured.noise.deviation, "given", None, 0.0)
+    assert model.truth.noise is None
+    for each in measured:
+        errors = each.standard_errors
+        assert errors.position is None or errors.position > 0
+        assert (errors.radius is None) == (each.type in ("Plane", "Cone") or errors == fit4cad.StandardErrors())
+    with pytest.raises(ValueError, match="from corner to corner"):
+        fit4cad.fit(model, noise=1e6)
+
+
 def test_progress_rises_and_what_it_raises_ends_the_fit():
     model = fit4cad.generate("towers", spacing=0.02)
     heard = []

@@ -8,6 +8,7 @@ import { modelById } from "../state/models";
 import { selectModel, selectedMethod, selectedModel } from "../state/selection";
 import { protocol } from "../state/settings";
 import * as format from "../ui/format";
+import type { NoiseInfo } from "../engine/contract";
 import { isWindowed, Seen, type Place } from "../ui/seen";
 
 export function Results(): JSX.Element | null {
@@ -30,6 +31,9 @@ export function Results(): JSX.Element | null {
               Seconds
             </th>
             <th scope="col" class="numeric">
+              Noise
+            </th>
+            <th scope="col" class="numeric">
               DSC
             </th>
             <th scope="col">
@@ -40,7 +44,7 @@ export function Results(): JSX.Element | null {
         <Seen
           as="tbody"
           items={run.fits}
-          columns={6}
+          columns={7}
           handle=".row-name"
           draw={(fit, place) => <Row key={`${place["data-place"]} ${fit.model}`} fit={fit} place={place} />}
         />
@@ -78,6 +82,9 @@ function Row({ fit, place }: { fit: Fit; place: Place }): JSX.Element {
       </td>
       <td class="numeric">{result && format.integer(result.primitives)}</td>
       <td class="numeric">{result?.seconds.toFixed(2)}</td>
+      <td class="numeric" title={result?.noise?.kind ?? undefined}>
+        {result?.noise && noiseIn(result.noise)}
+      </td>
       <td class="numeric">{there && dsc(fit.model, result.method)}</td>
       <td>
         {(state.kind === "queued" || state.kind === "running") && (
@@ -98,6 +105,11 @@ function Row({ fit, place }: { fit: Fit; place: Place }): JSX.Element {
       </td>
     </tr>
   );
+}
+
+/** In the units of the cloud; `none` of exact points. */
+function noiseIn({ deviation, source }: NoiseInfo): string {
+  return deviation > 0 ? `${deviation.toExponential(1).replace("e-", "e−")} ${source}` : "none";
 }
 
 function Outcome({ model, state, removed }: { model: string; state: FitState; removed: boolean }): JSX.Element {

@@ -3,7 +3,8 @@
 
 import type { JSX } from "preact";
 import { signal } from "@preact/signals";
-import type { PrimitiveInfo, SurfaceInfo } from "../engine/contract";
+import { useEffect } from "preact/hooks";
+import type { PrimitiveInfo, StandardErrorsInfo, SurfaceInfo } from "../engine/contract";
 import { measureColumn } from "../measures/column";
 import { predictionColours } from "../stage/colouring";
 import { scene } from "../state/scene";
@@ -14,11 +15,15 @@ import * as format from "../ui/format";
 import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
+import { offBy, plusMinus } from "./plus-minus";
+import { errorsOf, follow } from "./sure";
 
 interface Row {
   readonly index: number;
   readonly primitive: PrimitiveInfo;
   readonly colour: string;
+  /** Standard errors, once they are known. */
+  readonly errors: StandardErrorsInfo | undefined;
 }
 
 const sorting = signal<Sorting | undefined>(undefined);
@@ -43,23 +48,47 @@ const COLUMNS: readonly Column<Row>[] = [
     id: "dimensions",
     head: "Dimensions",
     label: "dimensions",
-    cell: ({ primitive }) => primitive.surface && dimensions(primitive.surface),
+    cell: ({ primitive, errors }) => primitive.surface && dimensions(primitive.surface, errors),
   },
 ];
 
+/** Of what was fitted, and so may be off. */
+const ERRORS: readonly Column<Row>[] = [
+  {
+    id: "position-error",
+    head: "Position",
+    label: "standard error of the position",
+    cell: ({ errors }) => offBy(errors?.position),
+    sortBy: ({ errors }) => errors?.position ?? undefined,
+  },
+  {
+    id: "axis-error",
+    head: "Axis",
+    label: "standard error of the axis",
+    cell: ({ errors }) => degrees(errors?.axis),
+    sortBy: ({ errors }) => errors?.axis ?? undefined,
+  },
+];
+
+const DEGREE = Math.PI / 180;
+
+function degrees(error: number | null | undefined): string {
+  const told = offBy(error && error / DEGREE);
+  return told && `${told}°`;
+}
+
 /** The lengths and angles that a draughtsman would note, in the units of the file. */
-function dimensions(surface: SurfaceInfo): string {
-  const length = (value: number) => value.toPrecision(5);
+function dimensions(surface: SurfaceInfo, errors: StandardErrorsInfo | undefined): string {
   switch (surface.type) {
     case "Plane":
       return "";
     case "Cylinder":
     case "Sphere":
-      return `radius ${length(surface.radius)}`;
+      return `radius ${plusMinus(surface.radius, errors?.radius)}`;
     case "Cone":
-      return `half-angle ${((surface.halfAngle * 180) / Math.PI).toFixed(2)}°`;
+      return `half-angle ${plusMinus(surface.halfAngle / DEGREE, errors?.halfAngle && errors.halfAngle / DEGREE)}°`;
     case "Torus":
-      return `radii ${length(surface.majorRadius)} and ${length(surface.minorRadius)}`;
+      return `radii ${plusMinus(surface.majorRadius, errors?.radius)} and ${plusMinus(surface.minorRadius, errors?.minorRadius)}`;
   }
 }
 
@@ -73,18 +102,20 @@ function alone({ truth, prediction, method }: ModelScene) {
 }
 
 export function FoundPrimitives(): JSX.Element {
+  useEffect(follow, []);
   const state = scene.value;
   const shown = state.kind === "ready" ? alone(state.scene) : undefined;
   if (!shown) return <p class="empty">Choose a model that has a ground truth or a submission, or fit one under Fit.</p>;
   const { side, found, whose } = shown;
   const colours = predictionColours(undefined, found.length);
-  const rows = found.map((primitive, index): Row => ({ index, primitive, colour: colours[index] ?? UNSEGMENTED }));
+  const errors = side === "prediction" && state.kind === "ready" ? errorsOf(state.scene) : undefined;
+  const rows = found.map((primitive, index): Row => ({ index, primitive, colour: colours[index] ?? UNSEGMENTED, errors: errors?.[index] }));
   const isRow = (ref: PrimitiveRef | undefined, { index }: Row) => ref?.side === side && ref.index === index;
   return (
     <Table
       className="primitives"
       caption={`${format.plural(rows.length, "primitive")} of ${selectedModel.value} ${whose}`}
-      columns={COLUMNS}
+      columns={side === "prediction" ? [...COLUMNS, ...ERRORS] : COLUMNS}
       rows={rows}
       keyOf={({ index }) => String(index)}
       sorting={sorting}

@@ -11,7 +11,8 @@
 //! for combs of narrow grooves ([`comb`]). `--method oracle` hands the true surfaces to the stages that every fitter shares: what is lost
 //! then, they lose. `--counted` leaves true primitives of fewer points out of the mean DSC. How clouds are made harder is told in [`stress`]. `--lost` lists the primitives
 //! that were not found well, `--diagnose` also says at which stage each was lost. `--levels` runs all for each of several
-//! levels of noise, a line each. `--moved`
+//! levels of noise, a line each; `--told 1` tells the fitters what noise was added, as the parameter `noise` does, any other
+//! number so many times of it. `--moved`
 //! scores nothing, but counts the points whose labels change when the cloud is moved, turned, scaled or shuffled
 //! ([`moved`]). NAME=VALUE sets a parameter of the fitters.
 
@@ -45,6 +46,7 @@ struct Options {
     lost: bool,
     diagnose: bool,
     moved: bool,
+    told: f64,
     levels: Vec<f64>,
     parameters: Parameters,
 }
@@ -68,6 +70,7 @@ struct Row {
     mfe: f64,
     hausdorff: f64,
     d1: f64,
+    noise: f64,
     seconds: f64,
     lost: Vec<String>,
 }
@@ -77,7 +80,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut measured = false;
     for level in std::mem::take(&mut options.levels) {
         options.stress.noise = level;
-        let rows = wanted(&options)?.map(|model| run(&options, model?));
+        let rows = wanted(&options)?.map(|model| {
+            let (model, noise) = model?;
+            run(&options, model, noise)
+        });
         let rows = rows.collect::<Result<Vec<Row>, _>>()?;
         let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
         let mean = seconds / rows.len().max(1) as f64;
@@ -91,9 +97,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         return compare(&options, method);
     }
     let mut rows = Vec::new();
-    println!("model      points truth found    DSC  back types      MFE   dHaus      d1  seconds");
+    println!(
+        "model      points truth found    DSC  back types      MFE   dHaus      d1   noise  seconds"
+    );
     for model in wanted(&options)? {
-        let row = run(&options, model?)?;
+        let (model, noise) = model?;
+        let row = run(&options, model, noise)?;
         println!("{row}");
         for lost in row.lost.iter().filter(|_| options.lost || options.diagnose) {
             println!("    {lost}");
@@ -109,7 +118,7 @@ fn compare(options: &Options, method: Method) -> Result<(), Box<dyn Error>> {
     println!("{}", moved::head());
     let mut rows = Vec::new();
     for model in wanted(options)? {
-        let model = model?;
+        let (model, _) = model?;
         let row = moved::run(
             &model.name,
             &model.cloud,
@@ -138,6 +147,7 @@ impl Options {
             lost: false,
             diagnose: false,
             moved: false,
+            told: 0.0,
             levels: Vec::new(),
             parameters: Parameters::default(),
         };
@@ -175,6 +185,7 @@ impl Options {
                 "--lost" => options.lost = true,
                 "--diagnose" => options.diagnose = true,
                 "--moved" => options.moved = true,
+                "--told" => options.told = value()?.parse()?,
                 other => match other.split_once('=') {
                     Some((name, value)) => options.parameters.set(name, value.parse()?)?,
                     None => options.folder = PathBuf::from(other),
@@ -196,14 +207,18 @@ fn name_of(text: &str) -> String {
     }
 }
 
-/// The models asked for that are large enough, made as hard as asked for.
-fn wanted(options: &Options) -> Result<Models<'_>, Box<dyn Error>> {
+/// The models asked for that are large enough, made as hard as asked for, each with the standard deviation of its noise.
+fn wanted(options: &Options) -> Result<Models<'_, (Model, f64)>, Box<dyn Error>> {
     let is_large = |model: &Model| {
         let truth = model.truth.as_ref();
         truth.map_or(0, |truth| truth.primitives.len()) >= options.at_least
     };
     let models = models(options)?.filter_map(move |model| match model {
-        Ok(model) => is_large(&model).then(|| Ok(options.stress.apply(model))),
+        Ok(model) => is_large(&model).then(|| {
+            let diagonal = model.cloud.bounds().diagonal();
+            let model = options.stress.apply(model);
+            Ok((model, options.stress.noise * diagonal))
+        }),
         Err(error) => Some(Err(error)),
     });
     Ok(Box::new(models))
@@ -229,7 +244,7 @@ fn models(options: &Options) -> Result<Models<'static>, Box<dyn Error>> {
     ))
 }
 
-type Models<'o> = Box<dyn Iterator<Item = Result<Model, Box<dyn Error>>> + 'o>;
+type Models<'o, T = Model> = Box<dyn Iterator<Item = Result<T, Box<dyn Error>>> + 'o>;
 
 /// Models with a truth in the folder asked for, by number and name.
 fn names(options: &Options) -> Result<Vec<String>, Box<dyn Error>> {
@@ -287,14 +302,19 @@ fn read(folder: &Path, name: &str) -> Result<Option<Model>, Box<dyn Error>> {
     Ok(has_truth.then_some(model))
 }
 
-fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
+fn run(options: &Options, model: Model, noise: f64) -> Result<Row, Box<dyn Error>> {
+    let mut parameters = options.parameters;
+    if options.told > 0.0 {
+        parameters.set("noise", options.told * noise)?;
+    }
+    let (parameters, seed) = (&parameters, options.seed);
     let start = Instant::now();
-    let (parameters, seed) = (&options.parameters, options.seed);
-    let found = match options.finder {
+    let (found, deviation) = match options.finder {
         Finder::Method(method) => {
-            fit::fit(&model.cloud, method, parameters, seed, &mut ())?.segmentation
+            let fit = fit::fit(&model.cloud, method, parameters, seed, &mut ())?;
+            (fit.segmentation, fit.noise.deviation)
         }
-        Finder::Oracle => oracle::fit(&model, parameters)?,
+        Finder::Oracle => (oracle::fit(&model, parameters)?, 0.0),
     };
     let seconds = start.elapsed().as_secs_f64();
     let truth = model.truth.clone().unwrap_or_default();
@@ -325,6 +345,7 @@ fn run(options: &Options, model: Model) -> Result<Row, Box<dyn Error>> {
         mfe: mean(Measure::Mfe),
         hausdorff: mean(Measure::DHaus),
         d1: mean(Measure::D1),
+        noise: deviation / model.cloud.bounds().diagonal(),
         seconds,
         lost,
     })
@@ -364,7 +385,7 @@ impl std::fmt::Display for Row {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "{:8} {:>8} {:>5} {:>5} {:.4} {:.3} {:>2}/{:<2} {:.1e} {:.1e} {:.1e} {:>8.3}",
+            "{:8} {:>8} {:>5} {:>5} {:.4} {:.3} {:>2}/{:<2} {:.1e} {:.1e} {:.1e} {:.1e} {:>8.3}",
             self.name,
             self.points,
             self.truth,
@@ -376,6 +397,7 @@ impl std::fmt::Display for Row {
             self.mfe,
             self.hausdorff,
             self.d1,
+            self.noise,
             self.seconds,
         )
     }

@@ -107,7 +107,7 @@ impl Export {
     pub const fn meaning(self) -> &'static str {
         match self {
             Self::Csv => {
-                "A row for each primitive: type, axis, position, radii, angle, points, MFE, dHaus."
+                "A row for each primitive: type, axis, position, radii, angle, points, MFE, dHaus, standard errors."
             }
             Self::Json => "The same for programs, with what made it.",
             Self::Ply => "Every point with the number of its primitive and its colour, exact.",

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::About;
 use crate::cloud::{Cloud, Point, Vector};
+use crate::fit::least_squares::StandardErrors;
 use crate::metrics::accuracy::fit_accuracy;
 use crate::model::{Primitive, Segmentation};
 use crate::surface::{OTHER, Surface};
@@ -20,6 +21,7 @@ struct Row {
     half_angle: Option<f64>,
     mfe: Option<f64>,
     d_haus: Option<f64>,
+    errors: StandardErrors,
 }
 
 const HEAD: &str = "primitive,type,points,axis_x,axis_y,axis_z,position_x,position_y,position_z,radius,\
@@ -42,6 +44,7 @@ impl Row {
             half_angle: None,
             mfe: accuracy.map(|it| it.mfe),
             d_haus: accuracy.map(|it| it.d_haus),
+            errors: StandardErrors::of_primitive(cloud, primitive),
         };
         let middle = middle(cloud, &primitive.points);
         let set = |point: Point| Some(<[f64; 3]>::from(point));
@@ -89,7 +92,12 @@ fn middle(cloud: &Cloud, points: &[u32]) -> Point {
 }
 
 pub(super) fn csv(cloud: &Cloud, segmentation: &Segmentation) -> String {
-    let mut text = format!("{HEAD}\n");
+    let mut text = HEAD.to_owned();
+    for (name, unit) in StandardErrors::NAMES {
+        let unit = if unit.is_empty() { "" } else { "_" }.to_owned() + unit;
+        let _ = write!(text, ",{}_error{unit}", snake(name));
+    }
+    text.push('\n');
     let cell = |text: &mut String, value: Option<f64>| {
         text.push(',');
         if let Some(value) = value {
@@ -113,9 +121,21 @@ pub(super) fn csv(cloud: &Cloud, segmentation: &Segmentation) -> String {
         ] {
             cell(&mut text, value);
         }
+        for value in row.errors.values() {
+            cell(&mut text, value);
+        }
         text.push('\n');
     }
     text
+}
+
+/// `minorRadius` as `minor_radius`.
+fn snake(name: &str) -> String {
+    let letters = name.chars().flat_map(|letter| {
+        let before = letter.is_ascii_uppercase().then_some('_');
+        before.into_iter().chain([letter.to_ascii_lowercase()])
+    });
+    letters.collect()
 }
 
 pub(super) fn json(cloud: &Cloud, segmentation: &Segmentation, about: &About) -> String {
@@ -139,10 +159,15 @@ pub(super) fn json(cloud: &Cloud, segmentation: &Segmentation, about: &About) ->
             }
             None => "null".to_owned(),
         };
+        let errors = StandardErrors::NAMES.iter().zip(row.errors.values());
+        let errors: Vec<String> = errors
+            .map(|((name, _), value)| format!("\"{name}\": {}", number(value)))
+            .collect();
         let _ = write!(
             text,
             "{}\n    {{ \"number\": {}, \"type\": \"{}\", \"points\": {}, \"axis\": {}, \"position\": {}, \
-             \"radius\": {}, \"minorRadius\": {}, \"halfAngle\": {}, \"mfe\": {}, \"dHaus\": {} }}",
+             \"radius\": {}, \"minorRadius\": {}, \"halfAngle\": {}, \"mfe\": {}, \"dHaus\": {}, \
+             \"standardErrors\": {{ {} }} }}",
             if place == 0 { "" } else { "," },
             row.number,
             row.kind,
@@ -154,6 +179,7 @@ pub(super) fn json(cloud: &Cloud, segmentation: &Segmentation, about: &About) ->
             number(row.half_angle),
             number(row.mfe),
             number(row.d_haus),
+            errors.join(", "),
         );
     }
     text.push_str("\n  ]\n}\n");

@@ -14,6 +14,8 @@
 //!                           local::starts → grow → best → accept
 //! ```
 //!
+//! What they find is at last fitted to the points it has, surface by surface ([`mod@refit`]).
+//!
 //! In a cloud whose noise is no small part of the spacing, a handful of points on a surface says nothing.
 //! There both methods leave the cloud to the same [`mod@judge`], and find the same.
 
@@ -27,6 +29,7 @@ pub mod hough;
 pub mod judge;
 pub mod least_squares;
 pub mod local;
+pub mod noise;
 pub mod parameters;
 pub mod places;
 pub mod profile;
@@ -34,6 +37,7 @@ pub mod progress;
 pub mod pure;
 pub mod quadric;
 mod quantile;
+pub mod refit;
 pub mod scale;
 pub mod search;
 pub mod single;
@@ -42,6 +46,7 @@ pub mod stages;
 pub mod thin;
 pub mod trace;
 
+pub use noise::Noise;
 pub use parameters::Parameters;
 pub use progress::{Cancelled, Observer, Stage};
 pub use scale::Scale;
@@ -50,7 +55,10 @@ pub use search::Search;
 use crate::cloud::Cloud;
 use crate::model::{Primitive, Segmentation};
 use crate::surface::Surface;
+use noise::Kind;
+use parameters::ParameterError;
 use places::{Places, Unfolded};
+use thiserror::Error;
 use trace::Event;
 
 /// How surfaces are found.
@@ -125,6 +133,8 @@ pub struct Fit {
     pub scale: Scale,
     /// How many places were fitted, where they are not all: the [subsample](Parameters::subsample) asked for.
     pub thinned: Option<usize>,
+    /// The noise it went by.
+    pub noise: Noise,
 }
 
 impl Fit {
@@ -138,6 +148,17 @@ impl Fit {
     }
 }
 
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FitError {
+    /// Its observer stopped it.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// A parameter cannot be meant for the cloud.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+}
+
 /// Fits primitives to a bare cloud. The same points, parameters and seed give the same answer, in
 /// whatever order the points are listed.
 ///
@@ -145,7 +166,7 @@ impl Fit {
 /// unsegmented. The observer may stop the fit; its trace costs nothing when not wanted.
 ///
 /// # Errors
-/// If the observer stops the fit.
+/// If the observer stops the fit, or the noise given is larger than the cloud.
 ///
 /// ```
 /// use fit4cad::cloud::{Cloud, Point};
@@ -154,7 +175,7 @@ impl Fit {
 /// let cloud = Cloud::new(grid.collect());
 /// let fit = fit(&cloud, Method::Growing, &Parameters::default(), 1, &mut ())?;
 /// assert_eq!(fit.segmentation.primitives[0].points.len(), 400);
-/// # Ok::<(), fit4cad::fit::Cancelled>(())
+/// # Ok::<(), fit4cad::fit::FitError>(())
 /// ```
 pub fn fit(
     cloud: &Cloud,
@@ -162,8 +183,9 @@ pub fn fit(
     parameters: &Parameters,
     seed: u64,
     observer: &mut dyn Observer,
-) -> Result<Fit, Cancelled> {
+) -> Result<Fit, FitError> {
     observer.progress(Stage::Prepare, 0.0)?;
+    parameters.suit(cloud)?;
     let (places, tree) = Places::of(cloud, parameters.most());
     let mut search = Search::over(places.cloud(), tree, parameters, seed);
     let observer = &mut Unfolded {
@@ -171,35 +193,46 @@ pub fn fit(
         standing_for: places.standing_for(),
     };
     let is_noisy = judge::is_for(&search.scale, places.cloud().len());
-    let noise =
-        is_noisy.then(|| judge::measure(places.cloud().points(), &search.tree, &search.scale));
-    let noise = noise.flatten();
+    let is_told = parameters.noise > 0.0 && search.scale.has_noise();
+    let noise = if !is_noisy {
+        None
+    } else if is_told {
+        Some(search.scale.noise)
+    } else {
+        judge::measure(places.cloud().points(), &search.tree, &search.scale)
+    };
     if let Some(noise) = noise {
-        search.scale = search.scale.with_noise(noise, parameters.tolerance);
+        search.scale = search
+            .scale
+            .with_noise(noise, parameters.tolerance, is_told);
     }
-    let mut scale = search.scale;
     if observer.wants_trace() {
-        observer.trace(Event::Scale(scale));
+        observer.trace(Event::Scale(search.scale));
     }
-    let found = if noise.is_some() {
-        judged(&search, seed, observer)?
+    let (found, kind) = if noise.is_some() {
+        (judged(&search, seed, observer)?, Kind::Scattered)
     } else if is_noisy {
         // The points fill space.
         observer.progress(Stage::Patches, 1.0)?;
-        Segmentation::default()
+        (Segmentation::default(), Kind::Everywhere)
     } else {
         find(&mut search, method, observer)?;
-        if let Some(noise) = judge::noise_of_mixture(&search) {
-            scale = scale.with_noise(noise, parameters.tolerance);
-            search.scale = scale;
-            judged(&search, seed, &mut Late(observer))?
+        let mixture = (!is_told).then(|| judge::noise_of_mixture(&search));
+        if let Some(noise) = mixture.flatten() {
+            search.scale = search.scale.with_noise(noise, parameters.tolerance, false);
+            (judged(&search, seed, &mut Late(observer))?, Kind::Mixed)
         } else {
-            stages::finish(&search, observer)?
+            (stages::finish(&search, observer)?, Kind::Scattered)
         }
     };
+    let refitted = refit::refit(&search, &found, observer)?;
+    // Points that stand for others lend them their labels by the surfaces that those were given by.
+    let mut segmentation = places.unfold(&search, found);
+    refit::apply(&mut segmentation, &refitted);
     Ok(Fit {
-        segmentation: places.unfold(&search, found),
-        scale,
+        noise: Noise::of(&search, kind),
+        segmentation,
+        scale: search.scale,
         thinned: places.are_thinned().then(|| places.cloud().len()),
     })
 }

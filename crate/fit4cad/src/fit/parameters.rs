@@ -4,6 +4,7 @@
 use thiserror::Error;
 
 use super::Method;
+use crate::cloud::Cloud;
 
 /// What is to be known about one parameter.
 #[derive(Debug, Clone, Copy)]
@@ -47,6 +48,17 @@ pub enum ParameterError {
         minimum: f64,
         /// Largest value allowed.
         maximum: f64,
+    },
+    /// The noise is larger than the cloud it is of.
+    #[error(
+        "`noise` is {noise}, and the cloud no more than {diagonal} from corner to corner: it is the standard deviation of the \
+         points off their surfaces, in the units of the cloud"
+    )]
+    Noise {
+        /// The value asked for.
+        noise: f64,
+        /// Diagonal of the bounding box.
+        diagonal: f64,
     },
 }
 
@@ -104,6 +116,9 @@ const BOTH: &[Method] = &[Method::Hough, Method::Growing];
 parameters! {
     tolerance: number in 0.0 ..= 0.05, default 0.0 "of the diagonal", BOTH,
     "How far from a surface a point may lie and still be on it. 0 estimates it from the cloud's own noise.";
+
+    noise: number in 0.0 ..= 1e9, default 0.0 "in units of the cloud", BOTH,
+    "Standard deviation of the points off their surfaces, where it is known, as from the data sheet of a scanner; a share of the diagonal times the diagonal. 0 measures it.";
 
     smallest: count in 4.0 ..= 1000.0, default 5.0 "points", BOTH,
     "Primitives of fewer points are not reported.";
@@ -178,6 +193,19 @@ impl Parameters {
         }
     }
 
+    /// Whether they can be meant for a cloud.
+    ///
+    /// # Errors
+    /// If the noise is not less than the diagonal of its bounding box. A cloud of no extent has none that could be less.
+    pub fn suit(&self, cloud: &Cloud) -> Result<(), ParameterError> {
+        let diagonal = cloud.bounds().diagonal();
+        if diagonal > 0.0 && self.noise >= diagonal {
+            let noise = self.noise;
+            return Err(ParameterError::Noise { noise, diagonal });
+        }
+        Ok(())
+    }
+
     /// A count among the parameters as an integer.
     pub(crate) fn count(value: f64) -> usize {
         // Saturates, and a NaN becomes 0.
@@ -188,6 +216,7 @@ impl Parameters {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::Point;
 
     #[test]
     fn every_parameter_can_be_set_to_its_bounds_and_read_back() {
@@ -204,7 +233,23 @@ mod tests {
     #[test]
     fn an_unknown_name_is_answered_with_the_known_ones() {
         let error = Parameters::default().set("tolerence", 1.0).unwrap_err();
-        assert!(error.to_string().contains("tolerance, smallest"));
+        assert!(error.to_string().contains("tolerance, noise, smallest"));
+    }
+
+    #[test]
+    fn noise_is_less_than_the_cloud_is_wide() {
+        let cloud = Cloud::new(vec![Point::origin(), Point::new(3.0, 4.0, 0.0)]);
+        let mut parameters = Parameters::default();
+        parameters.set("noise", 0.1).unwrap();
+        assert_eq!(parameters.suit(&cloud), Ok(()));
+        assert_eq!(parameters.suit(&Cloud::default()), Ok(()));
+        parameters.set("noise", 7.0).unwrap();
+        let error = parameters.suit(&cloud).unwrap_err();
+        let text = "`noise` is 7, and the cloud no more than 5 from corner to corner";
+        assert!(error.to_string().starts_with(text), "{error}");
+        for value in [-0.1, f64::NAN, f64::INFINITY] {
+            assert!(parameters.set("noise", value).is_err());
+        }
     }
 
     #[test]

@@ -57,7 +57,6 @@ impl Scale {
         let diameter = Ball::of(cloud.points()).diameter();
         let spacing = spacing(cloud.points(), graph);
         let (noise, step) = noise::noise(cloud.points(), tree, graph, spacing, FLOOR * diameter);
-        let estimated = (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing));
         Self {
             diameter,
             spacing,
@@ -65,16 +64,41 @@ impl Scale {
             tolerance: if tolerance > 0.0 {
                 tolerance * cloud.bounds().diagonal()
             } else {
-                estimated
+                enough_for(noise, spacing)
             },
             step,
         }
     }
 
-    /// The scale where the noise is known better; `tolerance` as in [`Scale::measure`].
-    pub fn with_noise(self, noise: f64, tolerance: f64) -> Self {
+    /// The scale of a cloud whose noise is told, before anything is searched; `tolerance` as in [`Scale::measure`]. A step that its
+    /// coordinates were seen to be rounded to stays where rounding makes most of such noise.
+    pub fn told(self, noise: f64, tolerance: f64) -> Self {
+        let noise = noise.max(FLOOR * self.diameter);
+        Self {
+            noise,
+            tolerance: if tolerance > 0.0 {
+                self.tolerance
+            } else {
+                enough_for(noise, self.spacing)
+            },
+            step: if noise * noise < self.step * self.step / 6.0 {
+                self.step
+            } else {
+                0.0
+            },
+            ..self
+        }
+    }
+
+    /// The scale where the noise is known better; `tolerance` as in [`Scale::measure`]: where one was given the noise follows
+    /// from it, unless that was told too.
+    pub fn with_noise(self, noise: f64, tolerance: f64, is_told: bool) -> Self {
         if tolerance > 0.0 {
-            let noise = self.tolerance / NOISY_SIGMAS;
+            let noise = if is_told {
+                noise
+            } else {
+                self.tolerance / NOISY_SIGMAS
+            };
             return Self { noise, ..self };
         }
         Self {
@@ -129,6 +153,11 @@ impl Scale {
     pub fn is_clean(&self) -> bool {
         self.tolerance < CLEAN * self.spacing
     }
+}
+
+/// The tolerance that goes with some noise.
+fn enough_for(noise: f64, spacing: f64) -> f64 {
+    (SIGMAS * noise).min((NOISY_SIGMAS * noise).max(CLEAN * spacing))
 }
 
 /// Median distance to the nearest neighbour, points that coincide left out.

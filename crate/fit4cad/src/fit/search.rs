@@ -50,7 +50,10 @@ impl<'a> Search<'a> {
     pub fn over(cloud: &'a Cloud, tree: KdTree, parameters: &Parameters, seed: u64) -> Self {
         let count = Parameters::count(parameters.neighbours);
         let graph = Neighbourhoods::new(cloud.points(), &tree, count);
-        let scale = Scale::measure(cloud, &tree, &graph, parameters.tolerance);
+        let mut scale = Scale::measure(cloud, &tree, &graph, parameters.tolerance);
+        if parameters.noise > 0.0 {
+            scale = scale.told(parameters.noise, parameters.tolerance);
+        }
         Self {
             tree,
             graph,

@@ -239,6 +239,115 @@ fn an_observer_can_stop_a_fit() {
     let cloud = Cloud::new(boss_on_a_plate());
     for method in METHODS {
         let outcome = fit(&cloud, method, &Parameters::default(), 1, &mut Impatient);
-        assert_eq!(outcome, Err(Cancelled));
+        assert_eq!(outcome, Err(Cancelled.into()));
     }
+}
+
+/// A boss on a plate, its points off their surfaces by normal noise.
+fn noisy_boss(noise: f64) -> Vec<Point> {
+    let mut random = Random::new(5, 0);
+    let mut off = || noise * random.normal();
+    let points = boss_on_a_plate().into_iter();
+    points
+        .map(|point| point + Vector::new(off(), off(), off()))
+        .collect()
+}
+
+#[test]
+fn noise_that_is_told_is_gone_by_and_reported() {
+    let noisy = noisy_boss(0.1);
+    let cloud = Cloud::new(noisy);
+    let with = |name: &str, value: f64| {
+        let mut parameters = Parameters::default();
+        parameters.set(name, value).unwrap();
+        fit(&cloud, Method::Hough, &parameters, 1, &mut ()).unwrap()
+    };
+    let told = with("noise", 0.1);
+    assert_eq!(told.scale.noise, 0.1);
+    assert_eq!(told.noise.deviation, 0.1);
+    assert_eq!(
+        (told.noise.source, told.noise.kind),
+        (noise::Source::Given, None)
+    );
+    assert_eq!(told.segmentation.primitives.len(), 8);
+    let measured = with("noise", 0.0);
+    assert_eq!(measured.noise.source, noise::Source::Measured);
+    assert_eq!(measured.noise.kind, Some(Kind::Scattered));
+    assert!(
+        (measured.noise.deviation - 0.1).abs() < 0.03,
+        "{:?}",
+        measured.noise
+    );
+    assert_eq!(
+        with("tolerance", 0.01).noise.source,
+        noise::Source::Tolerance
+    );
+}
+
+#[test]
+fn of_exact_and_of_rounded_points_the_kind_is_told() {
+    let points = boss_on_a_plate();
+    let noise_of = |points: Vec<Point>| {
+        let cloud = Cloud::new(points);
+        let parameters = Parameters::default();
+        let fit = fit(&cloud, Method::Growing, &parameters, 1, &mut ()).unwrap();
+        fit.noise
+    };
+    let exact = noise_of(points.clone());
+    assert_eq!((exact.deviation, exact.kind), (0.0, Some(Kind::Exact)));
+    let turn = UnitQuaternion::from_euler_angles(0.3, 0.5, 0.7);
+    let round = |x: f64| (x * 10.0).round() / 10.0;
+    let rounded = points.iter().map(|point| (turn * point).map(round));
+    let rounded = noise_of(rounded.collect());
+    assert_eq!((rounded.step, rounded.kind), (0.1, Some(Kind::Rounded)));
+}
+
+#[test]
+fn noise_as_large_as_the_cloud_is_refused() {
+    let cloud = Cloud::new(boss_on_a_plate());
+    let mut parameters = Parameters::default();
+    parameters.set("noise", 100.0).unwrap();
+    let refused = fit(&cloud, Method::Hough, &parameters, 1, &mut ());
+    assert!(matches!(refused, Err(FitError::Parameter(_))));
+    // There is nothing that it could be larger than.
+    assert!(fit(&Cloud::default(), Method::Hough, &parameters, 1, &mut ()).is_ok());
+}
+
+#[test]
+fn uniform_points_are_on_nothing_whatever_noise_is_told() {
+    let mut random = Random::new(2, 0);
+    let mut at = || random.unit();
+    let points = (0..3000).map(|_| Point::new(at(), at(), at()));
+    let cloud = Cloud::new(points.collect());
+    for noise in [1e-6, 0.002, 0.01] {
+        let mut parameters = Parameters::default();
+        parameters.set("noise", noise).unwrap();
+        let fit = fit(&cloud, Method::Hough, &parameters, 1, &mut ()).unwrap();
+        let found: usize = fit
+            .segmentation
+            .primitives
+            .iter()
+            .map(|it| it.points.len())
+            .sum();
+        assert!(found < 60, "{noise}: {found}");
+    }
+}
+
+#[test]
+fn surfaces_of_noisy_faces_are_as_near_the_truth_as_their_standard_errors_say() {
+    let points = noisy_boss(0.05);
+    let cloud = Cloud::new(points.clone());
+    let found = fitted(&points, Method::Hough, 1);
+    let boss = found.primitives.iter().find_map(|it| match it.surface {
+        Some(Surface::Cylinder(cylinder)) => Some((it, cylinder)),
+        _ => None,
+    });
+    let (primitive, cylinder) = boss.unwrap();
+    let errors = least_squares::StandardErrors::of_primitive(&cloud, primitive);
+    let error = errors.radius.unwrap();
+    assert!(error < 0.01, "{error}");
+    assert!(
+        (cylinder.radius - 5.0).abs() < 4.0 * error,
+        "{cylinder:?} {error}"
+    );
 }

@@ -65,6 +65,7 @@ pub const PARAMETERS: Target = Target {
     },
     words: &[
         "tolerance",
+        "noise",
         "smallest",
         "neighbours",
         "persistence",
@@ -76,12 +77,21 @@ pub const PARAMETERS: Target = Target {
     quick: 60_000,
 };
 
+/// Largest value from which on a range is of lengths in the units of the cloud.
+const WIDE: f64 = 1e6;
+
 fn fitted(input: &[u8], method: Method) {
     let mut bytes = Bytes::new(input);
     let mut parameters = Parameters::default();
     for (place, share) in bytes.list(4, |bytes| (bytes.below(TABLE.len()), bytes.byte())) {
         let info = TABLE[place];
-        let value = info.minimum + (info.maximum - info.minimum) * f64::from(share) / 255.0;
+        let share = f64::from(share) / 255.0;
+        let value = if info.maximum > WIDE {
+            // Of lengths in any unit: from a millionth to a million.
+            10f64.powf(12.0 * share - 6.0)
+        } else {
+            info.minimum + (info.maximum - info.minimum) * share
+        };
         let value = if info.whole { value.round() } else { value };
         assert!(parameters.set(info.name, value).is_ok());
     }

@@ -35,8 +35,8 @@ from ._files import export, read, read_all, write
 from ._model import Model
 from ._plot import plot, plot3d
 from ._results import Audit, FieldReport, Finding, Hidden, PredictionRow, Report, Single, TruthRow, TypeConfusion
-from ._segmentation import Primitive, Segmentation
-from ._surfaces import Cone, Cylinder, Plane, Sphere, Surface, Torus, surface_of
+from ._segmentation import Noise, Primitive, Segmentation
+from ._surfaces import Cone, Cylinder, Plane, Sphere, StandardErrors, Surface, Torus, surface_of
 
 __all__ = [
     "Audit",
@@ -48,6 +48,7 @@ __all__ = [
     "Hidden",
     "InputError",
     "Model",
+    "Noise",
     "Plane",
     "PredictionRow",
     "Primitive",
@@ -55,6 +56,7 @@ __all__ = [
     "Segmentation",
     "Single",
     "Sphere",
+    "StandardErrors",
     "Surface",
     "Torus",
     "TruthRow",

@@ -12,7 +12,7 @@ from ._model import Model
 from ._progress import Counted, Progress, of_fit, of_many
 from ._results import Audit, FieldReport, Report, Single, Verdict
 from ._segmentation import ByLabel, Segmentation, cloud_of
-from ._surfaces import surface_from
+from ._surfaces import errors_from, surface_from
 
 Points = Union[npt.ArrayLike, Model]
 Labels = Union[npt.ArrayLike, Segmentation]
@@ -139,9 +139,14 @@ def fit_single(points: Points, types: Sequence[str] = ()) -> Single:
     """Takes a cloud for one primitive, of one of the types or of any: the best surface, the best of another type and
     the margin between them. There is always an answer; noise and a share of outliers are borne."""
     found, _ = _engine.fit_single(cloud_of(points), None, list(types))
-    best, second = (Verdict(**{**it, "surface": surface_from(it["surface"])}) for it in (found["best"], found["runnerUp"]))
+    best, second = map(_verdict, (found["best"], found["runnerUp"]))
     rest = {key: found[key] for key in ("number", "points", "margin", "answer")}
     return Single(best=best, runner_up=second, **rest)
+
+
+def _verdict(found: dict[str, Any]) -> Verdict:
+    surface, errors = surface_from(found.pop("surface")), errors_from(found.pop("standardErrors"))
+    return Verdict(surface=surface, standard_errors=errors, **found)
 
 
 def check(model: Points, truth: Optional[Labels] = None) -> Audit:

@@ -209,6 +209,7 @@ class Verdict:
 
     type: str
     surface: Any
+    standard_errors: Any
     mean: float
     rms: float
     largest: float

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _engine
-from ._surfaces import Surface, surface_from
+from ._surfaces import StandardErrors, Surface, errors_from, surface_from
 from ._tables import Row, Table
 
 ByLabel = Union[Sequence[Any], Mapping[int, Any], None]
@@ -22,7 +22,8 @@ class Primitive:
 
     ``points`` are indices into the cloud, from 0, ascending, ``uint32``; ``type`` is ``None`` where it is none of
     the five; ``parametric`` and ``implicit`` are the paper's vectors, ``None`` where there is none; ``mfe`` is the
-    mean distance of the points to the surface over the diagonal of their box.
+    mean distance of the points to the surface over the diagonal of their box; ``standard_errors`` say how sure the surface
+    is by its points.
     """
 
     number: int
@@ -32,9 +33,25 @@ class Primitive:
     parametric: Optional[npt.NDArray[np.float64]] = None
     implicit: Optional[npt.NDArray[np.float64]] = None
     mfe: Optional[float] = None
+    standard_errors: StandardErrors = StandardErrors()
 
     def __len__(self) -> int:
         return len(self.points)
+
+
+@dataclass(frozen=True)
+class Noise:
+    """The noise that a fit went by.
+
+    ``deviation`` is the standard deviation of the points off their surfaces, in the units of the cloud, 0 where none could be
+    told; ``source`` is ``given``, ``measured``, or ``tolerance`` where it follows from one that was given; ``kind`` is ``exact``,
+    ``scattered``, ``rounded`` (to ``step``), ``mixed`` or ``everywhere`` (the points are on no surfaces), ``None`` where it is not known.
+    """
+
+    deviation: float
+    source: str
+    kind: Optional[str]
+    step: float
 
 
 class Segmentation(Table, Sequence[Primitive]):
@@ -91,8 +108,12 @@ class Segmentation(Table, Sequence[Primitive]):
         if self._primitives is None:
             found = self._native.primitives(self._cloud)
             self._primitives = tuple(
-                Primitive(**{**each, "surface": None if each["surface"] is None else surface_from(each["surface"])})
-                for each in found
+                Primitive(
+                    **each,
+                    surface=None if surface is None else surface_from(surface),
+                    standard_errors=errors_from(errors),
+                )
+                for each, surface, errors in ((it, it.pop("surface"), it.pop("standardErrors")) for it in found)
             )
         return self._primitives
 
@@ -100,6 +121,12 @@ class Segmentation(Table, Sequence[Primitive]):
     def labels(self) -> npt.NDArray[np.int32]:
         """The place of its primitive for each point, -1 for none; of several, the last in order."""
         return self._native.labels(len(self._cloud))
+
+    @property
+    def noise(self) -> Optional[Noise]:
+        """The noise that it was fitted by; ``None`` where it was not fitted here."""
+        noise = self._native.noise()
+        return None if noise is None else Noise(**noise)
 
     @property
     def types(self) -> dict[str, int]:

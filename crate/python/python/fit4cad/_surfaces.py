@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar, Union
+from typing import Any, ClassVar, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -79,6 +79,33 @@ class Torus(_Surface):
     axis: Triple
     major_radius: float
     minor_radius: float
+
+
+@dataclass(frozen=True)
+class StandardErrors:
+    """How far the parameters of a surface may be off by chance alone, as its points show them.
+
+    Of the axis or a plane's normal an angle, in radians; of the position a distance: of a centre or apex, or across a
+    cylinder's axis or a plane at the middle of the points; of a plane's offset from the origin; of the radius (of a torus
+    the major one), a torus's minor radius, and a cone's half-angle, in radians. ``None`` where the surface has no such parameter, or
+    the points do not determine it.
+    """
+
+    axis: Optional[float] = None
+    position: Optional[float] = None
+    offset: Optional[float] = None
+    radius: Optional[float] = None
+    minor_radius: Optional[float] = None
+    half_angle: Optional[float] = None
+
+    def to_dict(self) -> dict[str, Optional[float]]:
+        """With the keys of the command line's JSON."""
+        return {_camel(each.name): getattr(self, each.name) for each in fields(self)}
+
+
+def errors_from(dict: dict[str, Optional[float]]) -> StandardErrors:
+    """The standard errors of a dictionary as the engine and the command line's JSON have it."""
+    return StandardErrors(**{each.name: dict[_camel(each.name)] for each in fields(StandardErrors)})
 
 
 Surface = Union[Plane, Cylinder, Cone, Sphere, Torus]

@@ -27,6 +27,11 @@ impl Effort {
         steps: 60,
         least_gain: 1e-13,
     };
+    /// One step.
+    pub const STEP: Self = Self {
+        steps: 1,
+        least_gain: 0.0,
+    };
     /// For a hypothesis. Near a true surface the cost of exact points falls by orders of magnitude
     /// with each step; where it does not, the hypothesis is wrong and its minimum of no interest.
     pub const HYPOTHESIS: Self = Self {

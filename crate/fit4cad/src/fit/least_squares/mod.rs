@@ -9,8 +9,10 @@
 //! square the condition number, and this keeps exact data exact to about 1e-12 of the patch.
 
 mod charts;
+mod errors;
 mod levenberg_marquardt;
 
+pub use errors::{BIWEIGHT, StandardErrors};
 use levenberg_marquardt::{Effort, minimise};
 use nalgebra::Isometry3;
 
@@ -35,6 +37,21 @@ impl Loss {
             Self::Biweight(cut_off) => {
                 let inside = 1.0 - (distance / cut_off).powi(2);
                 if inside > 0.0 { inside * inside } else { 0.0 }
+            }
+        }
+    }
+
+    /// Derivative of weight times distance by the distance: how much a point still pulls that is a little farther off.
+    fn slope(self, distance: f64) -> f64 {
+        match self {
+            Self::Squares => 1.0,
+            Self::Biweight(cut_off) => {
+                let squared = (distance / cut_off).powi(2);
+                if squared < 1.0 {
+                    (1.0 - squared) * (1.0 - 5.0 * squared)
+                } else {
+                    0.0
+                }
             }
         }
     }
@@ -91,6 +108,11 @@ pub fn fit(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
 /// which are wrong.
 pub fn approximate(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
     fit_within(start, points, loss, Effort::HYPOTHESIS)
+}
+
+/// As [`fit`], but with a single step: towards the minimum from near it, where points are so many that one takes time.
+pub fn step(start: &Surface, points: &[Point], loss: Loss) -> Option<Fitted> {
+    fit_within(start, points, loss, Effort::STEP)
 }
 
 fn fit_within(start: &Surface, points: &[Point], loss: Loss, effort: Effort) -> Option<Fitted> {

@@ -1,12 +1,9 @@
 //! The surface on which points gather.
 
 use crate::cloud::Point;
-use crate::fit::least_squares::{self, Loss};
+use crate::fit::least_squares::{self, BIWEIGHT, Loss};
 use crate::surface::Surface;
 
-/// Standard deviations of normal noise beyond which Tukey's biweight gives no say: 95 % as efficient as
-/// least squares (Huber 1981).
-const BIWEIGHT: f64 = 4.685;
 /// Standard deviation of normal noise over the median of its absolute value.
 const MEDIAN: f64 = 1.4826;
 /// Share of the points of a band that normal noise leaves in its inner quarter, at most: what it is for a

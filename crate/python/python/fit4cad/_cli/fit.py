@@ -9,10 +9,10 @@ from typing import Any, Mapping, Optional, Sequence
 from .. import _engine
 from .._declared import declared, names
 from .._errors import Diagnostic
-from .._files import Group, texts_of
+from .._files import Group, texts_of, unusable
 from .._model import Model
 from .arguments import FORMATS, JOBS, Option, UsageError, choice, declared_option, format_of, jobs_of, number, read_arguments, some
-from .figures import align, fixed, json_text
+from .figures import align, fixed, json_text, scientific
 from .models import Hear, below, each_model, found, of_cloud
 from .single import recognise
 from .terminal import NotWritten, clear, make_folder, print_text, tell, warn, write_file
@@ -101,13 +101,24 @@ def fit(args: Sequence[str]) -> int:
         if len(model) == 0:
             return Fitted(None, model.diagnostics)
         start = time.perf_counter()
-        name = model.fit(method, seed=1 if seed is None else int(seed), progress=hear, **parameters)
+        try:
+            name = model.fit(method, seed=1 if seed is None else int(seed), progress=hear, **parameters)
+        except ValueError as error:
+            # A parameter may suit the other clouds.
+            return Fitted(None, [*model.diagnostics, unusable(model.name, str(error))])
         seconds = time.perf_counter() - start
         found = model.submissions[name]
-        rows = [{"type": one.type, "points": len(one), "mfe": one.mfe} for one in found]
+        rows = [
+            {
+                **{"type": one.type, "points": len(one), "mfe": one.mfe},
+                "surface": None if one.surface is None else one.surface.to_dict(),
+                "standardErrors": one.standard_errors.to_dict(),
+            }
+            for one in found
+        ]
         about = {"engine": _engine.__version__, "model": model.name, "points": len(model), "seconds": seconds}
         error = {} if out is None else _written(model, name, out)
-        return Fitted({**about, "primitives": rows, "types": found.types, **error}, model.diagnostics)
+        return Fitted({**about, "noise": found._native.noise(), "primitives": rows, "types": found.types, **error}, model.diagnostics)
 
     files, problems = found(paths)
     models, unplaced, stops = each_model(files, visit, "fitting", jobs=jobs)
@@ -142,12 +153,16 @@ def _written(model: Model, method: str, out: str) -> Row:
     return {}
 
 
+def _noise(noise: Mapping[str, Any]) -> str:
+    return f"{scientific(noise['deviation'], 1)} {noise['source']}"
+
+
 def _table(fitted: Sequence[Row]) -> str:
     if not fitted:
         return ""
     types = names("surfaceTypes")
-    rows = [["model", "points", "seconds", "primitives", *map(str.lower, types)]]
+    rows = [["model", "points", "seconds", "primitives", *map(str.lower, types), "noise"]]
     for each in fitted:
         counts = (str(each["types"][name]) for name in types)
-        rows.append([each["model"], str(each["points"]), fixed(each["seconds"], 3), str(len(each["primitives"])), *counts])
+        rows.append([each["model"], str(each["points"]), fixed(each["seconds"], 3), str(len(each["primitives"])), *counts, _noise(each["noise"])])
     return f"{align(rows, 1)}\n"
