@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use super::*;
 use crate::cloud::Point;
 
@@ -284,7 +286,7 @@ fn arrays_of_either_order_and_of_every_number_are_read() {
         Purpose::Truth,
     );
     let expected: Vec<i32> = rows().iter().map(|&(_, label)| label).collect();
-    assert_eq!(read, Some((Content::Labels(expected), vec![])));
+    assert_eq!(read, Some((Content::Labels(expected, BTreeMap::new()), vec![])));
 }
 
 /// A zip of stored or deflated entries.
@@ -428,7 +430,7 @@ fn vertex_groups_are_read_as_easy3d_and_as_its_documentation_write_them() {
         let (file, findings) = cloud(text.as_bytes());
         assert!(findings.is_empty(), "{findings:?}");
         let segments = file.segments.unwrap();
-        assert_eq!(segments[0].kind, Some(crate::surface::SurfaceType::Plane));
+        assert_eq!(segments[0].kind, Some(SurfaceType::Plane));
         assert_eq!((segments[1].kind, segments[1].points[0]), (None, 30));
     }
 }

@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use clue::Sorted;
 pub(super) use clue::names_truth;
+pub use clue::role_in_name;
 pub use naming::model_number;
 
 use super::Role;
