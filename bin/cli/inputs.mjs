@@ -103,7 +103,8 @@ function visit(path, listing) {
 function visitZip(path, key, size, { files, diagnostics }) {
   const { entries, problems } = listZip({ size, bytes: (from, to) => readPart(path, from, to) }, STREAMED);
   for (const entry of entries) {
-    files.set(`${key}\0${entry.path}`, { ...entry, path: `${path}/${entry.path}`, read: readable(entry.read) });
+    const [read, part] = [readable(entry.read), readable(entry.part)];
+    files.set(`${key}\0${entry.path}`, { path: `${path}/${entry.path}`, size: entry.size, read, part });
   }
   for (const { path: at, severity, message } of problems) {
     diagnostics.push(unusable(`${path}/${at}`, message, "", severity));

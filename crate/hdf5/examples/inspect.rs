@@ -12,7 +12,8 @@ fn main() -> std::io::Result<()> {
         let opened = Opened::open(&path, size, move |from, length| {
             let from = usize::try_from(from).unwrap_or(usize::MAX);
             let part = bytes.get(from..from.saturating_add(length));
-            part.map(<[u8]>::to_vec).ok_or_else(|| "it is shorter".to_owned())
+            part.map(<[u8]>::to_vec)
+                .ok_or_else(|| "it is shorter".to_owned())
         });
         match opened {
             Err(error) => writeln!(out, "{path}: {error}")?,

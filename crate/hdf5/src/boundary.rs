@@ -73,7 +73,9 @@ impl ArrayFile {
             path: entry.path.clone(),
             size: entry.size as f64,
         });
-        entries.map(|entry| entry.into_ts().map_err(JsError::from)).collect()
+        entries
+            .map(|entry| entry.into_ts().map_err(JsError::from))
+            .collect()
     }
 
     /// What else there is to say of it, of "it".

@@ -54,8 +54,12 @@ impl Contents {
             .filter(|array| is_numeric(array.dtype()))
             .collect();
         let best = |rank: &dyn Fn(&Dataset) -> Option<usize>| {
-            let ranked = arrays.iter().filter_map(|array| Some((rank(array)?, array)));
-            ranked.min_by_key(|(rank, _)| *rank).map(|(_, array)| array.clone())
+            let ranked = arrays
+                .iter()
+                .filter_map(|array| Some((rank(array)?, array)));
+            ranked
+                .min_by_key(|(rank, _)| *rank)
+                .map(|(_, array)| array.clone())
         };
         let points = best(&|array| {
             shape_of_points(array.shape())?;
@@ -70,7 +74,10 @@ impl Contents {
         };
         let (mut truth, mut prediction) = (labels(Whose::Truth), labels(Whose::Prediction));
         // Of labels that may be either, those beside others of the truth are predicted.
-        if points.is_some() && prediction.is_none() && truth.as_ref().is_some_and(|it| !is_found(it.name())) {
+        if points.is_some()
+            && prediction.is_none()
+            && truth.as_ref().is_some_and(|it| !is_found(it.name()))
+        {
             prediction = best(&|array| is_found(array.name()).then_some(0));
         }
         let first = points.as_ref().map(|it| shape_of_points(it.shape()));
@@ -238,13 +245,21 @@ fn label(value: f64) -> i32 {
 }
 
 /// The type of each label: what most of its points are, or where there is one for each label, that.
-fn typed(labels: &[i32], types: &[f64], coding: Coding) -> Vec<(i32, Option<fit4cad::surface::SurfaceType>)> {
+fn typed(
+    labels: &[i32],
+    types: &[f64],
+    coding: Coding,
+) -> Vec<(i32, Option<fit4cad::surface::SurfaceType>)> {
     let rows = labels.len();
     let mut counts: BTreeMap<i32, BTreeMap<usize, usize>> = BTreeMap::new();
     let mut add = |label: i32, number: f64| {
         if label >= 0 {
             // Whatever it is called, what is no whole number is none of the types.
-            let number = if number >= 0.0 { number as usize } else { usize::MAX };
+            let number = if number >= 0.0 {
+                number as usize
+            } else {
+                usize::MAX
+            };
             *counts.entry(label).or_default().entry(number).or_default() += 1;
         }
     };
@@ -263,8 +278,13 @@ fn typed(labels: &[i32], types: &[f64], coding: Coding) -> Vec<(i32, Option<fit4
     let counts = counts.into_iter();
     counts
         .map(|(label, numbers)| {
-            let most = numbers.into_iter().max_by_key(|&(number, count)| (count, std::cmp::Reverse(number)));
-            (label, most.and_then(|(number, _)| coding.kind(number as f64)))
+            let most = numbers
+                .into_iter()
+                .max_by_key(|&(number, count)| (count, std::cmp::Reverse(number)));
+            (
+                label,
+                most.and_then(|(number, _)| coding.kind(number as f64)),
+            )
         })
         .collect()
 }

@@ -97,7 +97,11 @@ impl Coding {
             Self::Spfn => &[Some(Sphere), Some(Plane), Some(Cylinder), Some(Cone)],
         };
         let is_place = number.fract() == 0.0 && number >= 0.0;
-        kinds.get(number as usize).copied().flatten().filter(|_| is_place)
+        kinds
+            .get(number as usize)
+            .copied()
+            .flatten()
+            .filter(|_| is_place)
     }
 }
 
@@ -130,17 +134,22 @@ pub(crate) fn is_found(name: &str) -> bool {
 
 /// How likely an array of a name is of types, whose, and how they are numbered.
 pub(crate) fn types_named(name: &str) -> Option<(Whose, usize, Coding)> {
-    let place = TYPES.iter().position(|(known, ..)| name.eq_ignore_ascii_case(known))?;
+    let place = TYPES
+        .iter()
+        .position(|(known, ..)| name.eq_ignore_ascii_case(known))?;
     let &(_, whose, coding) = TYPES.get(place)?;
     Some((whose, place, coding))
 }
 
 /// Whether a group is one of SPFN's surfaces, whose parameters are a pickled attribute.
 pub(crate) fn is_soup(name: &str) -> bool {
-    name.rsplit_once("_soup_")
-        .is_some_and(|(_, number)| !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit()))
+    name.rsplit_once("_soup_").is_some_and(|(_, number)| {
+        !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit())
+    })
 }
 
 fn place(names: &[&str], name: &str) -> Option<usize> {
-    names.iter().position(|known| name.eq_ignore_ascii_case(known))
+    names
+        .iter()
+        .position(|known| name.eq_ignore_ascii_case(known))
 }

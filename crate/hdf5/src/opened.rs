@@ -92,7 +92,9 @@ impl Opened {
             return Err(Error::Nothing(list(arrays.into_iter().chain(groups))));
         }
         if opened.groups.iter().any(|contents| contents.has_noisy) {
-            opened.notes.push("of its points those without noise are read".to_owned());
+            opened
+                .notes
+                .push("of its points those without noise are read".to_owned());
         }
         Ok(opened)
     }
@@ -124,7 +126,9 @@ impl Opened {
         let many = group.is_some() || count > 1;
         for model in 0..count {
             if self.entries.len() >= MOST_MODELS {
-                self.notes.push(format!("it holds more than {MOST_MODELS} models; the rest was left"));
+                self.notes.push(format!(
+                    "it holds more than {MOST_MODELS} models; the rest was left"
+                ));
                 break;
             }
             let name = match (group, count) {
@@ -158,13 +162,18 @@ fn contents_of(group: &Group, names: &[String]) -> Option<Contents> {
 /// folder named after the file.
 fn path_of(path: &str, model: Option<&str>, part: Part, with_cloud: bool) -> String {
     let name = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
-    let end = path.get(name..).and_then(|name| name.rfind('.')).map_or(path.len(), |at| name + at);
+    let end = path
+        .get(name..)
+        .and_then(|name| name.rfind('.'))
+        .map_or(path.len(), |at| name + at);
     let (stem, ending) = path.split_at_checked(end).unwrap_or((path, ""));
     let (stem, ending) = match model {
         Some(model) => (format!("{stem}/{model}"), ".npz"),
         None => (stem.to_owned(), ending),
     };
-    let named = stem.get(stem.rfind(['/', '\\']).map_or(0, |at| at + 1)..).unwrap_or(&stem);
+    let named = stem
+        .get(stem.rfind(['/', '\\']).map_or(0, |at| at + 1)..)
+        .unwrap_or(&stem);
     let word = match part {
         Part::Cloud => "",
         // Beside the truth, of a method of that name.

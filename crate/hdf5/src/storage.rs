@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use fit4cad::format::foreign::unpack_lzf;
 use hdf5_reader::error::Error;
-use hdf5_reader::{BlockCacheStorage, FilterRegistry, OpenOptions, RangeRequestStorage};
 use hdf5_reader::storage::DynStorage;
+use hdf5_reader::{BlockCacheStorage, FilterRegistry, OpenOptions, RangeRequestStorage};
 
 /// Bytes that are had at a time, and how many such blocks are kept: directories of arrays lie all over a file.
 const BLOCK: usize = 1 << 16;
@@ -22,9 +22,8 @@ pub(crate) fn storage(
     size: u64,
     read: impl Fn(u64, usize) -> Result<Vec<u8>, String> + Send + Sync + 'static,
 ) -> DynStorage {
-    let read = move |from: u64, length: usize| {
-        read(from, length).map_err(|reason| Error::Other(reason))
-    };
+    let read =
+        move |from: u64, length: usize| read(from, length).map_err(|reason| Error::Other(reason));
     let all = Arc::new(RangeRequestStorage::new(size, read));
     Arc::new(BlockCacheStorage::new(all, BLOCK, BLOCKS))
 }

@@ -33,7 +33,9 @@ fn cloud_of(path: &str, bytes: &[u8], readers: &Readers) -> ((CloudFile, bool), 
 fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, String> {
     const GONE: &str = "it cannot be read in pieces any more";
     let (path, size) = (file.path(), file.size());
-    if file.part(0, 0).is_none() {
+    let is_long = size > 2 * PIECE as u64;
+    // Of what is short as it is, only what is called so is looked at twice.
+    if !is_long && !path.ends_with(".gz") || file.part(0, 0).is_none() {
         return Ok(None);
     }
     let part = |from, to| file.part(from, to).unwrap_or_else(|| Err(GONE.to_owned()));
@@ -43,7 +45,7 @@ fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, S
         let name = path.strip_suffix(".gz").unwrap_or(path);
         return unpacked(size, &part, &|text| long(name, text, readers));
     }
-    if size <= 2 * PIECE as u64 {
+    if !is_long {
         return Ok(None);
     }
     long(path, Text { size, part: &part }, readers)

@@ -8,12 +8,13 @@ use std::cell::RefCell;
 use super::cloud::{self, CloudFile, read_cloud};
 use super::findings::{Findings, Kind};
 use super::foreign::{
-    Content, Packed, Purpose, Unpacking, is_foreign, read_by_pieces as read_foreign_by_pieces, read_foreign,
+    Content, Packed, Purpose, Unpacking, is_foreign, read_by_pieces as read_foreign_by_pieces,
+    read_foreign,
 };
 use super::labels::Segment;
+use super::limits::MAX_FILE_BYTES;
 use super::pieces::{self, Piece};
 use super::segments::{is_of_labels, read_segments};
-use super::limits::MAX_FILE_BYTES;
 use super::window::{PIECE, Text, Window};
 use crate::cloud::Cloud;
 use crate::diagnostics::{Diagnostic, Severity, Subject};
@@ -51,7 +52,8 @@ pub(super) struct ByPieces {
     pub(super) foreign: fn(&str, &mut Window<'_>) -> Result<Option<Found>, String>,
     /// What reading a file of so many bytes comes to that is packed by gzip: what is handed over makes it of the text
     /// that is unpacked; none where that is short, or cannot be unpacked.
-    pub(super) unpacked: for<'s> fn(u64, &'s Packed<'s>, OfText<'_>) -> Result<Option<Pieced>, String>,
+    pub(super) unpacked:
+        for<'s> fn(u64, &'s Packed<'s>, OfText<'_>) -> Result<Option<Pieced>, String>,
 }
 
 /// What becomes of a text.
