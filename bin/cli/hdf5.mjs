@@ -26,7 +26,9 @@ export async function openArrayFiles(files) {
   /** @type {File[]} */
   const found = [];
   /** @type {Told[]} */
-  const [errors, notes] = [[], []];
+  const errors = [];
+  /** @type {Told[]} */
+  const notes = [];
   for (const file of files) {
     if (!isArrayFile(file.path)) {
       found.push(file);
@@ -50,7 +52,7 @@ class Shelf {
   /** @type {{ file: File, opened: ArrayFile } | undefined} */
   #last;
 
-  /** @param {typeof ArrayFile} kind */
+  /** @param {typeof import("../hdf5/hdf5.js").ArrayFile} kind */
   constructor(kind) {
     this.kind = kind;
   }
