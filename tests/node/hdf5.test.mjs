@@ -20,18 +20,23 @@ function copies(t, names) {
 test("arrays of many models and predictions for them are scored model by model", (t) => {
   const root = copies(t, ["train_data.h5", "predictions.h5"]);
   const { out, err } = fit4cad("score", "--json", root);
-  const [report] = JSON.parse(out);
-  assert.deepEqual([report?.method, report?.models.map((/** @type {any} */ { model }) => model)], ["predictions", ["00000", "00001"]], err);
+  /** @type {any[]} */
+  const reports = JSON.parse(out);
+  assert.deepEqual(reports.map(({ method, model }) => [method, model]), [["predictions", "00000"], ["predictions", "00001"]], err);
   // One point of 40 is none of the truth's, and of the types ParseNet's 5 is no cylinder.
-  assert.ok(report.mean.DSC > 0.99 && report.mean.DSC < 1, String(report.mean.DSC));
+  for (const { mean, type_errors } of reports) {
+    assert.ok(mean.DSC > 0.99 && mean.DSC < 1, String(mean.DSC));
+    assert.equal(type_errors, 1);
+  }
 });
 
 test("SPFN's predictions find their cloud, and its pickled parameters are left with one word for all files", (t) => {
   const root = copies(t, ["shape.h5", "SPFN"]);
   cpSync(join(root, "shape.h5"), join(root, "other.h5"));
   const { out, err } = fit4cad("score", "--json", root);
-  const [report] = JSON.parse(out);
-  assert.deepEqual([report?.method, report?.models.length], ["SPFN", 1]);
+  /** @type {any[]} */
+  const reports = JSON.parse(out);
+  assert.deepEqual(reports.map(({ method, model, type_errors }) => [method, model, type_errors]), [["SPFN", "shape", 0]]);
   assert.equal(err.match(/pickled/g)?.length, 1, err);
   assert.match(err, /So it is with 1 more of the files/);
 });

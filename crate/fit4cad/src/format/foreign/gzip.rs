@@ -13,6 +13,9 @@ const PACKED: u64 = 1 << 20;
 /// Bytes that are unpacked at a time.
 const UNPACKED: usize = 1 << 16;
 
+/// Unpacked bytes of which two copies are too many.
+const LONG: usize = 1 << 20;
+
 /// Longest head of a member, in bytes: the file's name and a remark are in it.
 const LONGEST_HEAD: u64 = 1 << 17;
 
@@ -106,7 +109,18 @@ impl<'s> Unpacking<'s> {
             }
         }
         let length = usize::try_from(to.saturating_sub(from)).unwrap_or(usize::MAX);
+        if (LONG..=16 * LONG).contains(&length) {
+            let room = length + UNPACKED;
+            self.held
+                .reserve_exact(room.saturating_sub(self.held.len()));
+        }
         while self.held.len() < length && self.unpack()? {}
+        if length >= LONG {
+            // Of a long piece there is no second copy; whoever wants it again has it unpacked again.
+            let rest = self.held.split_off(length.min(self.held.len()));
+            self.start += self.held.len() as u64;
+            return Ok(std::mem::replace(&mut self.held, rest));
+        }
         let held = self.held.get(..length).unwrap_or(&self.held);
         Ok(held.to_vec())
     }
