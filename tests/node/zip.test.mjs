@@ -51,7 +51,7 @@ test("an entry is had a part at a time, forwards without unpacking anything twic
     const at = 40 + Math.floor(whole.length / 4);
     zip[at] = 255 - (zip[at] ?? 0);
     const [damaged] = listed(zip).entries;
-    assert.throws(() => damaged?.part(whole.length - 5, whole.length), Damaged);
+    assert.throws(() => damaged.part(whole.length - 5, whole.length), Damaged);
   }
 });
 
