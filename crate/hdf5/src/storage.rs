@@ -22,8 +22,7 @@ pub(crate) fn storage(
     size: u64,
     read: impl Fn(u64, usize) -> Result<Vec<u8>, String> + Send + Sync + 'static,
 ) -> DynStorage {
-    let read =
-        move |from: u64, length: usize| read(from, length).map_err(|reason| Error::Other(reason));
+    let read = move |from: u64, length: usize| read(from, length).map_err(Error::Other);
     let all = Arc::new(RangeRequestStorage::new(size, read));
     Arc::new(BlockCacheStorage::new(all, BLOCK, BLOCKS))
 }
