@@ -28,6 +28,7 @@ const MODULES = [
   { crate: "fit4cad-engine", name: "engine", folders: ["www/generated/engine", "bin/engine"] },
   { crate: "fit4cad-scorer", name: "scorer", folders: ["www/generated/scorer"], profile: "small" },
   { crate: "fit4cad-cad", name: "cad", folders: ["www/generated/cad", "bin/cad"] },
+  { crate: "fit4cad-hdf5", name: "hdf5", folders: ["www/generated/hdf5", "bin/hdf5"], profile: "small" },
   { crate: "fit4cad-view", name: "view", folders: ["www/generated/view"] },
 ];
 

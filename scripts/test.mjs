@@ -14,7 +14,7 @@ import { setup } from "./setup.mjs";
 
 const CLIPPY = ["clippy", "--locked", "--quiet"];
 const DENY = ["--", "-D", "warnings"];
-const ROOTS = ["fit4cad", "engine", "scorer", "step", "view", "fuzz", "cad", "python"].map((name) => `crate/${name}/src/lib.rs`);
+const ROOTS = ["fit4cad", "engine", "scorer", "step", "view", "fuzz", "cad", "hdf5", "python"].map((name) => `crate/${name}/src/lib.rs`);
 const BOUNDARIES = ["--package", "fit4cad-engine", "--package", "fit4cad-view"];
 
 /** @type {import("./lib/steps.mjs").Step[]} */

@@ -33,7 +33,7 @@ export async function check(args) {
   const engine = await loadEngine();
 
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   /** @type {import("../engine/engine.js").Audit[]} */
   const audits = [];
   const problems = [...inputs.diagnostics];

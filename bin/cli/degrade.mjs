@@ -33,7 +33,7 @@ export async function degrade(args) {
   if (positionals.length === 0) throw new UsageError("give at least one file, folder or zip with models and their truth");
   makeFolder(values.out);
   const engine = await loadEngine();
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   /** @type {Map<string, string>} */
   const made = new Map();
   const problems = [...inputs.diagnostics];

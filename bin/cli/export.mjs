@@ -51,7 +51,7 @@ export async function exportFiles(args) {
   const cad = forms.includes(STEP) ? await loadCad() : undefined;
 
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   const problems = [...inputs.diagnostics];
   /** @type {string[]} */
   const written = [];

@@ -56,7 +56,7 @@ export async function fit(args) {
   }
 
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   const { models, diagnostics, engine: able } = await fitBy(engine, inputs, {
     ...{ method, parameters, seed, out, jobs, paths: positionals },
     progress: (text) => progress.show(`fitting ${text}`),

@@ -82,7 +82,7 @@ export async function importParts(args) {
   const engine = await loadEngine();
 
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   // What is named outright is tried whatever its name; of folders and zips only what is called like STEP.
   const parts = inputs.files.filter(({ path }) => isStep(path) || positionals.includes(path));
   const run = new Run(cad, engine, { options, bodies, wear, out: values.out, seed: options.seed ?? 1, test });

@@ -4,6 +4,7 @@ import { closeSync, openSync, readFileSync, readSync, readdirSync, realpathSync,
 import { join } from "node:path";
 import { Damaged } from "../../www/shared/zip/source.mjs";
 import { STREAMED, isZip, listZip } from "../../www/shared/zip/zip.mjs";
+import { openArrayFiles } from "./hdf5.mjs";
 import { whyUnread } from "./reasons.mjs";
 
 /**
@@ -23,16 +24,18 @@ const MOST_FILES = 200_000;
 
 /**
  * Lists what lies behind the paths, sorted, each file once, and tells what could not be listed.
- * Nothing is read but the directories of zips.
+ * Nothing is read but the directories of zips and HDF5 files.
  * @param {readonly string[]} paths
  */
-export function collect(paths) {
+export async function collect(paths) {
   /** @type {Listing} */
   const listing = { files: new Map(), diagnostics: [] };
   for (const path of paths) {
     attempt(path, listing);
   }
-  return { files: [...listing.files.values()].sort(byPath), diagnostics: listing.diagnostics };
+  const { files, told } = await openArrayFiles([...listing.files.values()]);
+  const diagnostics = [...listing.diagnostics, ...told.map(({ path, severity, message }) => unusable(path, message, "", severity))];
+  return { files: files.sort(byPath), diagnostics };
 }
 
 /** @typedef {{ files: Map<string, File>, diagnostics: Diagnostic[] }} Listing by what tells one file from another */
@@ -100,7 +103,8 @@ function visit(path, listing) {
 function visitZip(path, key, size, { files, diagnostics }) {
   const { entries, problems } = listZip({ size, bytes: (from, to) => readPart(path, from, to) }, STREAMED);
   for (const entry of entries) {
-    files.set(`${key}\0${entry.path}`, { ...entry, path: `${path}/${entry.path}`, read: readable(entry.read) });
+    const [read, part] = [readable(entry.read), readable(entry.part)];
+    files.set(`${key}\0${entry.path}`, { path: `${path}/${entry.path}`, size: entry.size, read, part });
   }
   for (const { path: at, severity, message } of problems) {
     diagnostics.push(unusable(`${path}/${at}`, message, "", severity));

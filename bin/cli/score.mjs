@@ -48,7 +48,7 @@ export async function score(args) {
   const engine = await loadEngine();
 
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   refuseUnknown(Object.keys(overrides), inputs.files);
   const how = {
     ...{ jobs, paths: positionals },

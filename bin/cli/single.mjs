@@ -23,7 +23,7 @@ export async function recognise(engine, paths, { out, json }) {
     makeFolder(out);
   }
   progress.show("looking for files");
-  const inputs = collect(paths);
+  const inputs = await collect(paths);
   const problems = [...inputs.diagnostics];
   /** @type {Recognised[]} */
   const models = [];

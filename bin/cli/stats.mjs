@@ -24,7 +24,7 @@ export async function stats(args) {
   const engine = await loadEngine();
 
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   /** @type {import("../engine/engine.js").ModelStatistics[]} */
   const models = [];
   const problems = [...inputs.diagnostics];

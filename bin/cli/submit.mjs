@@ -54,7 +54,7 @@ export async function submit(args) {
   };
   const engine = await loadEngine();
   progress.show("looking for files");
-  const inputs = collect(positionals);
+  const inputs = await collect(positionals);
   tell(engine, inputs.diagnostics);
   const submission = new Submission(engine, inputs.files, set, values.method);
   const scores = await submission.check(say, times);

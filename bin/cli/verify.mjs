@@ -36,8 +36,8 @@ export async function verify(args) {
     if (!sets.sets.some(({ id }) => id === set)) throw new UsageError(`--set ${set}: expected ${sets.sets.map(({ id }) => id).join(", ")}`);
   }
   const engine = await loadEngine();
-  const data = collect(values.data);
-  const answers = collect(values.answers);
+  const data = await collect(values.data);
+  const answers = await collect(values.answers);
   const folders = [];
   for (const folder of positionals) {
     folders.push(await verifyFolder(engine, resolve(folder), { sets, data: data.files, answers: answers.files, only: values.set }));

@@ -15,7 +15,7 @@ const port = /** @type {import("node:worker_threads").MessagePort} */ (parentPor
 const tell = (told) => port.postMessage(told);
 
 const engine = await loadEngine();
-const { files } = collect(paths);
+const { files } = await collect(paths);
 if (files.length !== count) {
   throw new Error("files came or went while they were listed; try again");
 }

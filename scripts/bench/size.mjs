@@ -12,6 +12,7 @@ const MODULES = [
   { label: "scorer", path: "www/generated/scorer/scorer_bg.wasm", most: 190 },
   { label: "whole engine", path: "www/generated/engine/engine_bg.wasm" },
   { label: "STEP", path: "www/generated/cad/cad_bg.wasm" },
+  { label: "HDF5", path: "www/generated/hdf5/hdf5_bg.wasm" },
   { label: "view", path: "www/generated/view/view_bg.wasm" },
 ];
 

@@ -76,7 +76,7 @@ function bytesOf(path) {
 
 /**
  * Files that are not too large to be an answer, and a word on the others.
- * @param {ReturnType<typeof collect>} inputs
+ * @param {Awaited<ReturnType<typeof collect>>} inputs
  */
 function bounded({ files, diagnostics }) {
   for (const { path, size } of files) if (size > MOST_ANSWER) sayOf("!", `${path}: ${size} bytes are more than any answer has; it is left out`);
@@ -91,7 +91,7 @@ function bounded({ files, diagnostics }) {
 async function answersOf({ method }, cache) {
   if (method?.answers.way === "archive") {
     const { archive, sha256 } = method.answers;
-    return bounded(collect([await fetchInto(cache, archive, { sha256, mirrors: values.mirror })]));
+    return bounded(await collect([await fetchInto(cache, archive, { sha256, mirrors: values.mirror })]));
   }
   if (method?.answers.way === "script") throw new Unfetched(`the answers are made by ${method.answers.script}, and nobody but its author has them: name an archive`);
   return [];
@@ -131,7 +131,7 @@ async function main(cache) {
     well &&= findings.length === 0;
     if (findings.length > 0) continue;
     try {
-      data ??= bounded(collect(values.data.length > 0 ? values.data : [await fetchInto(cache, sets.source.archive, { sha256: sets.source.sha256, mirrors: values.mirror })]));
+      data ??= bounded(await collect(values.data.length > 0 ? values.data : [await fetchInto(cache, sets.source.archive, { sha256: sets.source.sha256, mirrors: values.mirror })]));
       const verified = await verifyFolder(engine, join(submission, id), { sets, data, answers: await answersOf(folder, cache) });
       for (const { file, message } of verified.problems) sayOf("!", `${file}: ${message}`);
       const engines = new Map(folder.scores?.sets.map((set) => [set.set, set.engine]));

@@ -14,7 +14,7 @@ const [name = "", ...paths] = process.argv.slice(2);
 const method = choice("method", name, METHODS);
 /** @type {{ model: string, seconds: number }[]} */
 const times = [];
-await eachModel(await loadEngine(), collect(paths).files, { wanted: ({ role }) => role === "cloud" }, (model) => {
+await eachModel(await loadEngine(), (await collect(paths)).files, { wanted: ({ role }) => role === "cloud" }, (model) => {
   const { name: called, points } = model.info();
   if (points === 0) return;
   // The engine is compiled a second time, faster, while it runs: the first of two fits pays for that.

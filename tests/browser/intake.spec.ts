@@ -278,3 +278,12 @@ test("the benchmark's own files score as the golden values", async ({ page }) =>
 });
 
 type Golden = Record<string, Record<"PG" | "HT", { definition: Record<string, number> }>>;
+
+test("HDF5 of many models becomes these, and predictions for them their results", async ({ page }) => {
+  const fixtures = join(import.meta.dirname, "../../crate/hdf5/fixtures");
+  await open(page);
+  await drop(page, [join(fixtures, "train_data.h5"), join(fixtures, "predictions.h5"), join(fixtures, "shape.h5")]);
+  await expect(row(page, "00000")).toContainText("predictions");
+  await expect(row(page, "00001")).toContainText("predictions");
+  await expect(page.locator(".models > ul")).toContainText("shape");
+});

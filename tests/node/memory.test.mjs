@@ -5,7 +5,11 @@ import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { zipSync } from "fflate";
 import { loadEngineApart } from "../../bin/cli/engine.mjs";
+import { memory as source } from "../../www/shared/zip/source.mjs";
+import { STREAMED, listZip } from "../../www/shared/zip/zip.mjs";
 import { held } from "../../scripts/lib/input.mjs";
 import { generator } from "./random.mjs";
 import { fit4cad, folder } from "./support.mjs";
@@ -58,6 +62,26 @@ test("a long text is read in pieces, in hardly more memory than its points take,
   // A few pieces of 4 MiB come and go.
   assert.ok(grown < BYTES_PER_POINT * points + 2 ** 24, `${grown} bytes for ${points} points`);
   assert.ok(most < bytes.length / 2, `${most} bytes at once`);
+});
+
+test("a long text that is packed, by gzip or in a zip, takes no more", async () => {
+  const text = new TextEncoder().encode(longCloud());
+  const zip = zipSync({ "long.xyz": text });
+  const entry = listZip(source(zip), STREAMED).entries[0];
+  assert.ok(entry);
+  const packed = gzipSync(text);
+  for (const file of [
+    { path: "long.xyz.gz", size: packed.length, part: (/** @type {number} */ from, /** @type {number} */ to) => packed.subarray(from, to) },
+    { path: "a.zip/long.xyz", size: entry.size, part: entry.part },
+  ]) {
+    const { engine, memory } = await loadEngineApart();
+    const before = memory.buffer.byteLength;
+    const model = engine.Model.read("long", [{ ...file, role: "cloud", read: () => assert.fail("it is asked for whole") }]);
+    const grown = memory.buffer.byteLength - before;
+    const { points, diagnostics } = model.info();
+    assert.deepEqual([points, diagnostics.length, diagnostics[0]?.line, diagnostics[0]?.column], [499_999, 1, 400_001, 5], file.path);
+    assert.ok(grown < BYTES_PER_POINT * points + 2 ** 24 + 2 ** 23, `${grown} bytes for ${points} points of ${file.path}`);
+  }
 });
 
 test("the command line reads in pieces what it hashes, and tells the hash of all of it", (t) => {

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { strFromU8, strToU8, zipSync } from "fflate";
 import { Damaged, memory } from "../../www/shared/zip/source.mjs";
+import { generator } from "./random.mjs";
 import { STREAMED, listZip } from "../../www/shared/zip/zip.mjs";
 
 /**
@@ -23,6 +24,35 @@ test("stored and deflated entries are read, in any order, whatever their names",
   assert.deepEqual(entries.map(({ path }) => path), ["a/größe 1.txt", "b.TXT"]);
   assert.deepEqual(entries.toReversed().map(text), [long, "stored"]);
   assert.deepEqual(problems, []);
+});
+
+test("an entry is had a part at a time, forwards without unpacking anything twice, and backwards too", () => {
+  const random = generator(3);
+  const whole = strToU8(Array.from({ length: 40_000 }, () => String(random())).join("\n"));
+  for (const level of /** @type {const} */ ([0, 6])) {
+    const zip = zipSync({ "a.txt": [whole, { level }] });
+    const source = memory(zip);
+    let read = 0;
+    const counted = (/** @type {number} */ from, /** @type {number} */ to) => {
+      read += to - from;
+      return source.bytes(from, to);
+    };
+    const [entry] = listZip({ ...source, bytes: counted }, STREAMED).entries;
+    assert.ok(entry);
+    read = 0;
+    for (let from = 0; from < whole.length; from += 10_000) {
+      const to = Math.min(whole.length, from + 10_000);
+      assert.deepEqual(entry.part(from, to), whole.subarray(from, to));
+    }
+    assert.ok(read < 1.1 * zip.length, `${read} bytes read of ${zip.length}`);
+    assert.deepEqual(entry.part(5, 9), whole.subarray(5, 9));
+    assert.deepEqual(entry.part(600_000, 600_009), whole.subarray(600_000, 600_009));
+    // What was damaged on the way is told at the end.
+    const at = 40 + Math.floor(whole.length / 4);
+    zip[at] = 255 - (zip[at] ?? 0);
+    const [damaged] = listed(zip).entries;
+    assert.throws(() => damaged.part(whole.length - 5, whole.length), Damaged);
+  }
 });
 
 test("a zip within other bytes is read where it begins, one with a comment to its end", () => {

@@ -25,13 +25,14 @@ function added(at) {
 }
 
 /**
- * The checksum of these bytes, from 0 to 2³² − 1. Linear in their number.
+ * The checksum of these bytes, from 0 to 2³² − 1, behind others where their checksum is given. Linear in their number.
  * @param {Uint8Array} bytes
+ * @param {number} [before] the checksum of what comes before them
  */
-export function crc32(bytes) {
+export function crc32(bytes, before = 0) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const whole = bytes.length - (bytes.length % SLICES);
-  let crc = 0xffffffff;
+  let crc = ~before;
   for (let at = 0; at < whole; at += SLICES) {
     crc ^= view.getUint32(at, true);
     crc = added(768 + (crc & 0xff)) ^ added(512 + ((crc >>> 8) & 0xff)) ^ added(256 + ((crc >>> 16) & 0xff)) ^ added(crc >>> 24);

@@ -2,7 +2,7 @@
 
 import { sentence } from "../shared/text.mjs";
 import { Damaged, type Source } from "../shared/zip/source.mjs";
-import { HELD, listZip } from "../shared/zip/zip.mjs";
+import { HELD, listZip, type Entry } from "../shared/zip/zip.mjs";
 
 export interface Unzipped {
   readonly files: { path: string; data: Blob }[];
@@ -18,7 +18,7 @@ export function unzipped(path: string, source: Source): Unzipped {
     for (const problem of problems) refuse(`${path}/${problem.path}`, problem.message);
     for (const entry of entries) {
       try {
-        found.files.push({ path: `${path}/${entry.path}`, data: new Blob([entry.read() as Uint8Array<ArrayBuffer>]) });
+        found.files.push({ path: `${path}/${entry.path}`, data: blobOf(entry) });
       } catch (error) {
         refuse(`${path}/${entry.path}`, reasonOf(error));
       }
@@ -27,6 +27,18 @@ export function unzipped(path: string, source: Source): Unzipped {
     refuse(path, `the zip could not be opened: ${reasonOf(error)}`);
   }
   return found;
+}
+
+/** Longer files are unpacked a piece of so many bytes at a time: of a blob the browser puts on disk what is much. */
+const PIECE_BYTES = 2 ** 24;
+
+function blobOf({ size, read, part }: Entry): Blob {
+  if (size <= PIECE_BYTES) return new Blob([read() as Uint8Array<ArrayBuffer>]);
+  let blob = new Blob([]);
+  for (let from = 0; from < size; from += PIECE_BYTES) {
+    blob = new Blob([blob, part(from, Math.min(size, from + PIECE_BYTES)) as Uint8Array<ArrayBuffer>]);
+  }
+  return blob;
 }
 
 function reasonOf(error: unknown): string {

@@ -85,7 +85,8 @@ function rescoreModel(engine, { model: name, inputs, answers }, { known, method,
 function filesOf(hashes, known, method) {
   /** @type {(import("../inputs.mjs").File & { role: Role, method?: string })[]} */
   const files = [];
-  for (const [role, hash] of /** @type {[Role, string][]} */ (Object.entries(hashes))) {
+  const each = /** @type {[Role, string | readonly string[]][]} */ (Object.entries(hashes));
+  for (const [role, hash] of each.flatMap(([role, of]) => [of].flat().map((one) => /** @type {const} */ ([role, one])))) {
     const file = known.get(hash);
     if (!file) return `the ${role} file with the SHA-256 ${hash.slice(0, 12)}… is not among the files given`;
     files.push({ ...file, role, ...(method === undefined ? {} : { method }) });

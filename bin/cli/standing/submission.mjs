@@ -104,13 +104,11 @@ export class Submission {
   async #answers(say, groups) {
     const own = [...groups].map(([name, files]) => ({ name, roles: files.flatMap(({ role, method }) => (method === this.method ? [role] : [])) }));
     const lacking = own.filter(({ roles }) => !roles.includes("primitives")).map(({ name }) => name);
-    const doubled = own.filter(({ roles }) => new Set(roles).size < roles.length).map(({ name }) => name);
     if (lacking.length > 0) {
       await say({ mark: "✗", text: `${this.method} gives no primitives for ${few(lacking)}: every model has to be answered; where nothing was found, by an empty file` });
     }
-    if (doubled.length > 0) await say({ mark: "✗", text: `${this.method} gives several files of one kind for ${few(doubled)}` });
-    if (lacking.length + doubled.length > 0) return false;
-    const surfaces = own.filter(({ roles }) => roles.length > 1).length;
+    if (lacking.length > 0) return false;
+    const surfaces = own.filter(({ roles }) => roles.some((role) => role !== "primitives")).length;
     const come = surfaces === own.length ? "all with surfaces" : `${surfaces} with files of surfaces`;
     await say({ mark: "✓", text: `${own.length} answers of ${this.method}, ${come}` });
     return true;
@@ -138,7 +136,7 @@ export class Submission {
       return undefined;
     }
     const rows = own.map(({ row: { entry, field }, files: read }) => {
-      const hashes = (/** @type {boolean} */ answers) => Object.fromEntries(read.flatMap(({ role, method, sha256 }) => ((method !== undefined) === answers && sha256 !== null ? [[role, sha256]] : [])));
+      const hashes = (/** @type {boolean} */ answers) => hashesOf(read.filter(({ method }) => (method !== undefined) === answers));
       const seconds = times?.get(entry.model);
       const { inputs: _, answers: __, ...rest } = entry;
       return { entry: { ...rest, ...(seconds === undefined ? {} : { seconds }), inputs: hashes(false), answers: hashes(true) }, field };
@@ -153,4 +151,15 @@ export class Submission {
     await say({ mark: "✓", text: `scored by every protocol with engine ${found.engine}${dsc ? `: mean DSC ${dsc.mean.toFixed(4)}` : ""}` });
     return found;
   }
+}
+
+/**
+ * The SHA-256 of files by what each is: of several that are the same, as a file for each primitive, all.
+ * @param {readonly { role: string, sha256: string | null }[]} files
+ */
+function hashesOf(files) {
+  /** @type {Map<string, string[]>} */
+  const all = new Map();
+  for (const { role, sha256 } of files) if (sha256 !== null) all.set(role, [...(all.get(role) ?? []), sha256]);
+  return Object.fromEntries(Array.from(all, ([role, hashes]) => [role, hashes.length === 1 ? hashes[0] ?? "" : hashes]));
 }

@@ -14,6 +14,7 @@ mod dict;
 mod export;
 mod files;
 mod fit;
+mod hdf5;
 mod part;
 mod recognition;
 mod report;
@@ -47,6 +48,8 @@ mod _engine {
     use crate::files::{group, read};
     #[pymodule_export]
     use crate::fit::{fit, fit_segments, fit_single, recognise};
+    #[pymodule_export]
+    use crate::hdf5::ArrayFile;
     #[pymodule_export]
     use crate::part::{degrade, generate, imperfect};
     #[pymodule_export]

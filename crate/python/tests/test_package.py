@@ -301,3 +301,45 @@ def test_the_command_line_says_what_is_wrong(tmp_path):
     assert failed.returncode == 2 and "from 0 to 0.05" in failed.stderr and '"error"' in failed.stdout
     absent = run("score", "nowhere")
     assert absent.returncode == 1 and "nowhere: error: there is no such file or folder" in absent.stderr
+
+
+def test_hdf5_as_h5py_writes_it_is_read(tmp_path):
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    at = np.arange(60)
+    plane = np.stack([at % 10 * 0.1, at // 10 * 0.1, np.zeros(60)], 1)
+    points = np.concatenate([plane, plane[:, [2, 0, 1]] + [0, 0, 1]])
+    labels = np.repeat([0, 1], 60)
+    with h5py.File(tmp_path / "train_data.h5", "w") as file:
+        file.create_dataset("points", data=np.stack([points, 2 * points]), compression="gzip", shuffle=True)
+        file.create_dataset("labels", data=np.stack([labels, labels]), compression="lzf")
+        file["prim"] = np.ones((2, 120), dtype="u1")
+    with h5py.File(tmp_path / "predictions.h5", "w") as file:
+        file["seg_id"] = np.stack([labels, labels])
+    first, second = fit4cad.read_all(tmp_path)
+    assert [first.name, second.name] == ["00000", "00001"]
+    assert np.array_equal(second.points, 2 * points)
+    assert list(first.submissions) == ["predictions"]
+    assert first.score("predictions")["DSC"] == 1
+    # Files of another machine are read there: what names them can be sent.
+    from fit4cad._files import collect
+
+    files, problems = collect([tmp_path])
+    assert problems == [] and pickle.loads(pickle.dumps(files[0])).read() == files[0].read()
+
+
+def test_a_long_cloud_in_a_zip_is_read_in_pieces(tmp_path):
+    rows = "".join(f"{at % 977}.25 {at % 101}.125 {at}.5\n" for at in range(500_000))
+    with zipfile.ZipFile(tmp_path / "a.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("long.xyz", rows)
+    with gzip.open(tmp_path / "other.xyz.gz", "wt", compresslevel=1) as stream:
+        stream.write(rows)
+    from fit4cad._files import collect
+
+    (entry, _), _ = collect([tmp_path])
+    part = entry.parts()
+    text = rows.encode()
+    for start in [0, 3, 4_000_000, 4_000_010, 9_000_000, 5]:
+        assert part(start, start + 100) == text[start : start + 100]
+    models = list(fit4cad.read_all(tmp_path))
+    assert [len(model.points) for model in models] == [500_000, 500_000]
+    assert np.array_equal(models[0].points, models[1].points)

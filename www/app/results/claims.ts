@@ -34,5 +34,6 @@ function originOf({ part, degraded }: ModelSet, name: string): SharedOrigin {
 }
 
 function printOf(hashes: Entry["inputs"]): ReturnType<typeof fingerprint> {
-  return fingerprint(Object.entries(hashes).map(([role, sha256]) => ({ path: role, role: role as HashedFile["role"], sha256 })));
+  const each = Object.entries(hashes).flatMap(([role, of]) => [of].flat().map((sha256) => ({ path: role, role: role as HashedFile["role"], sha256 })));
+  return fingerprint(each);
 }

@@ -29,8 +29,8 @@ import { ID, SHA256 } from "./method.mjs";
  */
 
 /**
- * SHA-256 by what the file is.
- * @typedef {Readonly<Partial<Record<Role, string>>>} Hashes
+ * SHA-256 by what the file is; several where each file holds the points of one primitive.
+ * @typedef {Readonly<Partial<Record<Role, string | readonly string[]>>>} Hashes
  */
 
 /**
@@ -141,6 +141,9 @@ export function few(names) {
   return names.length > 8 ? `${names.slice(0, 8).join(", ")} and ${names.length - 8} more` : names.join(", ");
 }
 
+/** Most files that one role of a model may be spread over: one for each primitive. */
+const MOST_FILES = 10_000;
+
 const COUNTS = /** @type {const} */ (["points", "truth", "predicted", "typeErrors"]);
 
 /** @param {Checking} entry */
@@ -153,7 +156,11 @@ function checkEntry(entry) {
     const hashes = entry.table(which);
     hashes?.only(ROLE_NAMES);
     for (const role of ROLE_NAMES.filter((name) => hashes?.has(name))) {
-      hashes?.text(role, { pattern: SHA256, expected: "a SHA-256 of 64 hexadecimal digits" });
+      const value = hashes?.value(role);
+      if (!Array.isArray(value)) hashes?.text(role, { pattern: SHA256, expected: "a SHA-256 of 64 hexadecimal digits" });
+      else if (value.length < 2 || value.length > MOST_FILES || !value.every((hash) => typeof hash === "string" && SHA256.test(hash))) {
+        hashes?.tell(role, "expected the SHA-256 of one file, or a list of those of several");
+      }
     }
     const needed = which === "inputs" ? "cloud" : "primitives";
     if (hashes && !hashes.has(needed)) hashes.tell(needed, "its SHA-256 is missing");

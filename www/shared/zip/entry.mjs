@@ -24,15 +24,8 @@ const MOST_GROWTH = 1032;
  * @param {Header} header
  */
 export function readEntry(source, header) {
-  const { flags, method } = header;
-  if (flags & FLAGS.encrypted) {
-    throw new Damaged("it is encrypted; unpack the zip first");
-  }
-  if (method !== STORED && method !== DEFLATED) {
-    throw new Damaged(`it cannot be unpacked: compression method ${method} is not known; unpack the zip first`);
-  }
-  const from = contentAt(source, header);
-  const content = method === STORED ? stored(source, from, header) : inflated(source, from, header);
+  const { from, deflated } = contentOf(source, header);
+  const content = deflated ? inflated(source, from, header) : stored(source, from, header);
   if (crc32(content) !== header.checksum) {
     throw new Damaged("it is damaged: its checksum is not that of the zip's directory");
   }
@@ -40,14 +33,35 @@ export function readEntry(source, header) {
 }
 
 /**
+ * Where the packed bytes of an entry begin, and whether they are deflated or as they are. Throws `Damaged` where they
+ * are neither, or the entry is not there.
+ * @param {Source} source
+ * @param {Header} header
+ */
+export function contentOf(source, header) {
+  const { flags, method, packed, unpacked } = header;
+  if (flags & FLAGS.encrypted) {
+    throw new Damaged("it is encrypted; unpack the zip first");
+  }
+  if (method !== STORED && method !== DEFLATED) {
+    throw new Damaged(`it cannot be unpacked: compression method ${method} is not known; unpack the zip first`);
+  }
+  const from = contentAt(source, header);
+  if (method === STORED && packed !== unpacked) {
+    throw wrongLength(packed > unpacked ? "more" : "less");
+  }
+  if (method === DEFLATED && unpacked > packed * MOST_GROWTH) {
+    throw wrongLength("less");
+  }
+  return { from, deflated: method === DEFLATED };
+}
+
+/**
  * @param {Source} source
  * @param {number} from
  * @param {Header} header
  */
-function stored(source, from, { packed, unpacked }) {
-  if (packed !== unpacked) {
-    throw wrongLength(packed > unpacked ? "more" : "less");
-  }
+function stored(source, from, { packed }) {
   return source.bytes(from, from + packed);
 }
 
@@ -57,9 +71,6 @@ function stored(source, from, { packed, unpacked }) {
  * @param {Header} header
  */
 function inflated(source, from, { packed, unpacked }) {
-  if (unpacked > packed * MOST_GROWTH) {
-    throw wrongLength("less");
-  }
   const content = new Uint8Array(unpacked);
   let filled = 0;
   const inflate = new Inflate((chunk) => {

@@ -3,6 +3,7 @@
 
 import { readDirectory } from "./directory.mjs";
 import { readEntry } from "./entry.mjs";
+import { partsOf } from "./parts.mjs";
 import { Damaged, memory } from "./source.mjs";
 
 /** @typedef {import("./source.mjs").Source} Source */
@@ -21,6 +22,8 @@ import { Damaged, memory } from "./source.mjs";
  * @property {string} path within the zip; `inner.zip/name` within a zip in it
  * @property {number} size of its content in bytes
  * @property {() => Uint8Array} read unpacks it; throws `Damaged` with what is wrong
+ * @property {(from: number, to: number) => Uint8Array} part unpacks the bytes from one offset to before another, in order
+ *   of offsets without ever holding the others; throws as `read`
  */
 
 /** @typedef {{ path: string, severity: "error" | "warning", message: string }} Problem */
@@ -109,7 +112,7 @@ class Listing {
       if (this.#entries.has(path)) {
         this.#tell(path, "the zip holds several files of this name; the last is used", "warning");
       }
-      this.#entries.set(path, { path, size: header.unpacked, read: () => readEntry(source, header) });
+      this.#entries.set(path, { path, size: header.unpacked, read: () => readEntry(source, header), part: partsOf(source, header) });
     }
   }
 

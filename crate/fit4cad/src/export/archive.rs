@@ -5,49 +5,70 @@ use crate::cloud::Cloud;
 use crate::model::Segmentation;
 use crate::surface::SurfaceType;
 
-/// `points` (float64, n × 3), `labels` (int32, n: the number of each point's primitive, -1 for none),
-/// `numbers` and `types` (of the primitives: their numbers, and places in the order plane, cylinder,
-/// cone, sphere, torus, -1 for another).
+/// Rows of points, labels and types, each where it is known, as they are written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Arrays {
+    /// Coordinates, three a row; empty where there are none.
+    pub points: Vec<f64>,
+    /// Whether these are of single precision.
+    pub single: bool,
+    /// The number of each row's primitive, -1 for none; empty where there are none.
+    pub labels: Vec<i32>,
+    /// Numbers of primitives and their types, where one of the five is known.
+    pub types: Vec<(i32, Option<SurfaceType>)>,
+}
+
+impl Arrays {
+    /// The arrays that are there as `.npz`: `points` (float64 or float32, n × 3), `labels` (int32, n), `numbers` and
+    /// `types` (int32; of the primitives: their numbers, and places in the order plane, cylinder, cone, sphere,
+    /// torus, -1 for another). Linear in their lengths.
+    pub fn npz(&self) -> Vec<u8> {
+        let mut entries = Vec::new();
+        if !self.points.is_empty() {
+            let shape = format!("({}, 3)", self.points.len() / 3);
+            let values = self.points.iter();
+            let points = if self.single {
+                let bytes = values.flat_map(|&value| (value as f32).to_le_bytes());
+                array("<f4", &shape, &bytes.collect::<Vec<u8>>())
+            } else {
+                let bytes = values.flat_map(|value| value.to_le_bytes());
+                array("<f8", &shape, &bytes.collect::<Vec<u8>>())
+            };
+            entries.push(("points.npy", points));
+        }
+        if !self.labels.is_empty() {
+            let count = self.labels.len();
+            entries.push(("labels.npy", whole(count, self.labels.iter().copied())));
+            let count = self.types.len();
+            let numbers = self.types.iter().map(|&(number, _)| number);
+            entries.push(("numbers.npy", whole(count, numbers)));
+            let place = |kind| SurfaceType::ALL.iter().position(|known| *known == kind);
+            let places = self.types.iter().map(|&(_, kind)| {
+                let place = kind.and_then(place);
+                place.map_or(-1, |place| place as i32)
+            });
+            entries.push(("types.npy", whole(count, places)));
+        }
+        zip(&entries)
+    }
+}
+
 pub(super) fn npz(cloud: &Cloud, segmentation: &Segmentation) -> Vec<u8> {
     let owners = owners(cloud, segmentation);
-    let (mut points, mut labels) = (Vec::new(), Vec::new());
+    let mut arrays = Arrays::default();
     for (point, owner) in rows(cloud, &owners) {
-        points.extend(point.iter().flat_map(|value| value.to_le_bytes()));
-        labels.extend(label(segmentation, owner).to_le_bytes());
+        arrays.points.extend(point.iter());
+        arrays.labels.push(label(segmentation, owner));
     }
-    let primitives = &segmentation.primitives;
-    let numbers = primitives
-        .iter()
-        .flat_map(|it| (it.number as i32).to_le_bytes());
-    let types = primitives.iter().flat_map(|primitive| {
-        let place = |kind| SurfaceType::ALL.iter().position(|known| *known == kind);
-        let place = primitive.kind.and_then(place);
-        place.map_or(-1i32, |place| place as i32).to_le_bytes()
-    });
-    let count = cloud.numbering().rows();
-    zip(&[
-        (
-            "points.npy",
-            array("<f8", &format!("({count}, 3)"), &points),
-        ),
-        ("labels.npy", array("<i4", &format!("({count},)"), &labels)),
-        (
-            "numbers.npy",
-            array(
-                "<i4",
-                &format!("({},)", primitives.len()),
-                &numbers.collect::<Vec<u8>>(),
-            ),
-        ),
-        (
-            "types.npy",
-            array(
-                "<i4",
-                &format!("({},)", primitives.len()),
-                &types.collect::<Vec<u8>>(),
-            ),
-        ),
-    ])
+    let primitives = segmentation.primitives.iter();
+    let types = primitives.map(|primitive| (primitive.number as i32, primitive.kind));
+    arrays.types = types.collect();
+    arrays.npz()
+}
+
+fn whole(count: usize, values: impl Iterator<Item = i32>) -> Vec<u8> {
+    let bytes: Vec<u8> = values.flat_map(i32::to_le_bytes).collect();
+    array("<i4", &format!("({count},)"), &bytes)
 }
 
 /// An array as `.npy`, version 1.0, its data at a multiple of 64 bytes.

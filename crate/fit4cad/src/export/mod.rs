@@ -7,6 +7,8 @@ mod mesh;
 mod points;
 mod table;
 
+pub use archive::Arrays;
+
 use crate::cloud::Cloud;
 use crate::model::Segmentation;
 

@@ -70,6 +70,9 @@ fn points_with_labels_read_back_to_the_last_digit() {
                 let own = (0u32..)
                     .zip(&owners)
                     .filter(|(_, owner)| **owner == Some(place));
+                if export == Export::Npz && !segment.points.is_empty() {
+                    assert_eq!(segment.kind, primitive.kind);
+                }
                 assert_eq!(
                     segment.points,
                     own.map(|(index, _)| index).collect::<Vec<_>>()

@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use super::cloud::{self, CloudFile, RowForm, read_own};
 use super::encoding;
-use super::foreign::{may_be_foreign, read_by_pieces as read_foreign_by_pieces};
+use super::foreign::{is_gzip, may_be_foreign, read_by_pieces as read_foreign_by_pieces};
 use super::limits::{MAX_FILE_BYTES, MAX_MODEL_BYTES};
 use super::pieces::Union;
-use super::readers::{ByPieces, Readers, Taken};
+use super::readers::{ByPieces, Pieced, Readers, Taken};
 use super::source::Source;
 use super::window::{PIECE, Text, Window};
 use crate::cloud::Cloud;
@@ -33,11 +33,30 @@ fn cloud_of(path: &str, bytes: &[u8], readers: &Readers) -> ((CloudFile, bool), 
 fn by_pieces<S: Source>(file: &S, readers: &Readers) -> Result<Option<Pieced>, String> {
     const GONE: &str = "it cannot be read in pieces any more";
     let (path, size) = (file.path(), file.size());
-    if size <= 2 * PIECE as u64 || file.part(0, 0).is_none() {
+    let is_long = size > 2 * PIECE as u64;
+    // Of what is short as it is, only what is called so is looked at twice.
+    if !is_long && !path.ends_with(".gz") || file.part(0, 0).is_none() {
         return Ok(None);
     }
     let part = |from, to| file.part(from, to).unwrap_or_else(|| Err(GONE.to_owned()));
-    let mut window = Window::open(Text { size, part: &part }, PIECE)?;
+    if let Some(ByPieces { unpacked, .. }) = readers.by_pieces
+        && is_gzip(&part(0, size.min(2))?)
+    {
+        let name = path.strip_suffix(".gz").unwrap_or(path);
+        return unpacked(size, &part, &|text| long(name, text, readers));
+    }
+    if !is_long {
+        return Ok(None);
+    }
+    long(path, Text { size, part: &part }, readers)
+}
+
+/// The same of a long text.
+///
+/// # Errors
+/// Why it cannot be had to its end.
+fn long(path: &str, text: Text<'_>, readers: &Readers) -> Result<Option<Pieced>, String> {
+    let mut window = Window::open(text, PIECE)?;
     // Whoever reads other kinds of files begins anew.
     let later = Ok(Some(((CloudFile::default(), true), Vec::new())));
     if !is_in_pieces(path, &window) {
@@ -95,9 +114,6 @@ pub fn read_cloud_by_pieces(
     // What is in memory can be had.
     read.unwrap_or_default()
 }
-
-/// A cloud, whether it was left for later, and what is wrong with it.
-type Pieced = ((CloudFile, bool), Vec<Diagnostic>);
 
 /// Reads files of one model while they are within the limits, and keeps what is wrong.
 #[derive(Default)]

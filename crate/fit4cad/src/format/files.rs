@@ -26,7 +26,7 @@ pub struct FileKind {
 }
 
 /// Every kind. Where two files of a folder could be the same cloud, the one of the first kind is.
-pub const FILE_KINDS: [FileKind; 10] = [
+pub const FILE_KINDS: [FileKind; 11] = [
     FileKind {
         endings: &["txt"],
         title: "Text",
@@ -68,6 +68,13 @@ pub const FILE_KINDS: [FileKind; 10] = [
         endings: &["npz", "npy"],
         title: "NumPy",
         meaning: "an array of points, of labels, or several in an archive, by their names",
+        holds: Holds::Either,
+    },
+    FileKind {
+        endings: &["h5", "hdf5"],
+        title: "HDF5",
+        meaning: "points, labels and types of one model or of many, of SPFN, ParseNet and HPNet, by the names of \
+                  their arrays; predictions are submissions",
         holds: Holds::Either,
     },
     FileKind {

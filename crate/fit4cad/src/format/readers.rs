@@ -2,15 +2,20 @@
 //! rows of any kind and labels by functions handed to it, so that a build which leaves them to another
 //! carries none of their readers.
 
+use std::borrow::Cow;
+use std::cell::RefCell;
+
 use super::cloud::{self, CloudFile, read_cloud};
 use super::findings::{Findings, Kind};
 use super::foreign::{
-    Content, Purpose, is_foreign, read_by_pieces as read_foreign_by_pieces, read_foreign,
+    Content, Packed, Purpose, Unpacking, is_foreign, read_by_pieces as read_foreign_by_pieces,
+    read_foreign,
 };
 use super::labels::Segment;
+use super::limits::MAX_FILE_BYTES;
 use super::pieces::{self, Piece};
 use super::segments::{is_of_labels, read_segments};
-use super::window::Window;
+use super::window::{PIECE, Text, Window};
 use crate::cloud::Cloud;
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 
@@ -45,7 +50,17 @@ pub(super) struct ByPieces {
     pub(super) table: fn(&str, &mut Window<'_>, usize, bool) -> Result<Found, String>,
     /// Of other programs' files; none where they are read whole.
     pub(super) foreign: fn(&str, &mut Window<'_>) -> Result<Option<Found>, String>,
+    /// What reading a file of so many bytes comes to that is packed by gzip: what is handed over makes it of the text
+    /// that is unpacked; none where that is short, or cannot be unpacked.
+    pub(super) unpacked:
+        for<'s> fn(u64, &'s Packed<'s>, OfText<'_>) -> Result<Option<Pieced>, String>,
 }
+
+/// What becomes of a text.
+pub(super) type OfText<'a> = &'a dyn Fn(Text<'_>) -> Result<Option<Pieced>, String>;
+
+/// A cloud, whether it was left for later, and what is wrong with it.
+pub(super) type Pieced = ((CloudFile, bool), Vec<Diagnostic>);
 
 /// A cloud, and what is wrong with it.
 type Found = (CloudFile, Vec<Diagnostic>);
@@ -61,6 +76,7 @@ impl Readers {
         by_pieces: Some(ByPieces {
             table: cloud::read_table,
             foreign: read_foreign_by_pieces,
+            unpacked,
         }),
         segments: read_any_segments,
         pieces: Some(pieces::onto),
@@ -73,6 +89,24 @@ impl Readers {
         segments: |file, bytes, _, _| taken(!is_foreign(file, bytes) && !is_of_labels(bytes)),
         pieces: None,
     };
+}
+
+/// Unpacks a long file as far as it is read. What is damaged is read whole, and that says so.
+fn unpacked<'s>(
+    size: u64,
+    packed: &'s Packed<'s>,
+    read: OfText<'_>,
+) -> Result<Option<Pieced>, String> {
+    let mut unpacking = Unpacking::new(size, packed);
+    let length = unpacking.length().unwrap_or(0);
+    if !(2 * PIECE as u64..=MAX_FILE_BYTES).contains(&length) {
+        return Ok(None);
+    }
+    let unpacking = RefCell::new(unpacking);
+    read(Text {
+        size: length,
+        part: &|from, to| Ok(Cow::Owned(unpacking.borrow_mut().read(from, to)?)),
+    })
 }
 
 fn taken<T>(own: bool) -> Taken<T> {
@@ -90,7 +124,7 @@ const LABELS: Kind = Kind {
 fn read_any_cloud(file: &str, bytes: &[u8]) -> Taken<CloudFile> {
     match read_foreign(file, bytes, Purpose::Truth) {
         Some((Content::Cloud(cloud), findings)) => Taken::Read(cloud, findings),
-        Some((Content::Labels(labels), _)) => {
+        Some((Content::Labels(labels, _), _)) => {
             let mut findings = Findings::new(file, &[]);
             findings.add_whole(&LABELS, format!("{} labels", labels.len()));
             Taken::Read(CloudFile::default(), findings.finish())

@@ -73,9 +73,12 @@ pub(super) fn read_segments(
 ) -> Option<Segments> {
     match read_foreign(file, bytes, purpose) {
         Some((Content::Cloud(other), findings)) => Some(onto(file, &other, findings, cloud)),
-        Some((Content::Labels(labels), findings)) => {
+        Some((Content::Labels(labels, kinds), findings)) => {
             let mut own = Findings::new(file, &[]);
-            let found = on_rows(&labels, cloud.numbering(), &mut own);
+            let mut found = on_rows(&labels, cloud.numbering(), &mut own);
+            for segment in found.iter_mut().flatten() {
+                segment.kind = kinds.get(&segment.number).copied();
+            }
             Some((found, [findings, own.finish()].concat()))
         }
         Some((Content::Text(text), _)) => {

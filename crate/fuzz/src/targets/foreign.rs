@@ -49,7 +49,7 @@ pub const FOREIGN: Target = Target {
                             text::check_list(&segment.points, file.cloud.len());
                         }
                     }
-                    Content::Labels(labels) => assert!(labels.len() <= 1000 * input.len()),
+                    Content::Labels(labels, _) => assert!(labels.len() <= 1000 * input.len()),
                     Content::Text(_) => {}
                 }
             }

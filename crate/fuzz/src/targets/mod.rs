@@ -2,6 +2,7 @@
 
 mod fit;
 mod foreign;
+mod hdf5;
 mod lesson;
 mod paths;
 mod planted;
@@ -33,6 +34,7 @@ pub static TARGETS: &[Target] = &[
     text::ROUND_TRIP,
     foreign::FOREIGN,
     foreign::EXPORT,
+    hdf5::OPEN,
     step::READ,
     step::WRITE,
     paths::GROUP,

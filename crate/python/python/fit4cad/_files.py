@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import errno
 import io
 import os
@@ -52,9 +53,16 @@ class File:
     size: int
     chain: tuple[str, ...]
     """The file, then the entry in it, then the entry in that."""
+    place: Optional[int] = None
+    """Where the chain ends in an HDF5 file, the place of what is meant among the files of models in it."""
 
     def read(self) -> bytes:
         """Its content. Raises ``OSError`` with a reason where it cannot be had."""
+        if self.place is not None:
+            try:
+                return self.opened().read(self.place)
+            except ValueError as error:
+                raise OSError(0, str(error)) from error
         file, *entries = self.chain
         try:
             if not entries:
@@ -71,11 +79,59 @@ class File:
             raise OSError(0, f"the zip is damaged: {error}") from error
 
 
+    @property
+    def has_parts(self) -> bool:
+        """Whether the bytes between two offsets can be had without the others: of a file, or an entry of a zip."""
+        return len(self.chain) <= 2 and self.place is None
+
+    def parts(self) -> Callable[[int, int], bytes]:
+        """What gives the bytes between two offsets; raises ``OSError`` as :meth:`read`."""
+        if len(self.chain) > 1:
+            return _Unpacked(*self.chain).part
+
+        def part(start: int, end: int) -> bytes:
+            with open(self.chain[0], "rb") as stream:
+                stream.seek(start)
+                return stream.read(end - start)
+
+        return part
+
+    def opened(self, path: str = "") -> _engine.ArrayFile:
+        """The HDF5 file that the chain ends in. Raises ``ValueError`` where it cannot be opened."""
+        whole = File(path, 0, self.chain)
+        if len(self.chain) == 1:
+            return _engine.ArrayFile(path, os.stat(self.chain[0]).st_size, whole.parts())
+        content = whole.read()
+        return _engine.ArrayFile(path, len(content), lambda start, end: content[start:end])
+
+
+class _Unpacked:
+    """An entry of a zip, unpacked from its beginning as far as it is asked for. Forwards, only what was asked for last is
+    held; what comes before that is unpacked anew."""
+
+    def __init__(self, file: str, entry: str) -> None:
+        self._file, self._entry = file, entry
+        self._stream: Any = None
+        self._start, self._held = 0, b""
+
     def part(self, start: int, end: int) -> bytes:
-        """The bytes between two offsets, of a file that is not in a zip. Raises ``OSError`` as :meth:`read`."""
-        with open(self.path, "rb") as stream:
-            stream.seek(start)
-            return stream.read(end - start)
+        try:
+            if self._stream is None or start < self._start:
+                with zipfile.ZipFile(self._file) as archive:
+                    # It keeps the file open as long as it is used itself.
+                    self._stream = archive.open(self._entry)
+                self._start, self._held = 0, b""
+            while self._start + len(self._held) < start:
+                passed = self._stream.read(min(_PIECE, start - self._start - len(self._held)))
+                if not passed:
+                    break
+                self._start, self._held = self._start + len(self._held), passed
+            self._held = self._held[max(0, start - self._start) :]
+            self._start = start
+            self._held += self._stream.read(max(0, end - start - len(self._held)))
+            return self._held[: end - start]
+        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+            raise OSError(0, f"the zip is damaged: {error}") from error
 
 
 #: Bytes read at a time of what nobody has asked for.
@@ -90,6 +146,7 @@ class _Heard:
 
     def __init__(self, file: File, hear: Hear) -> None:
         self._file, self._hear = file, hear
+        self._parts: Optional[Callable[[int, int], bytes]] = None
         self._end: Optional[int] = None
         """Up to where it was heard; ``None`` before it is read in pieces."""
 
@@ -100,7 +157,8 @@ class _Heard:
         return content
 
     def part(self, start: int, end: int) -> bytes:
-        content = self._file.part(start, end)
+        self._parts = self._parts or self._file.parts()
+        content = self._parts(start, end)
         heard = self._end or 0
         self._end = heard
         if start <= heard < start + len(content):
@@ -160,7 +218,30 @@ def collect(paths: Iterable[StrPath]) -> tuple[list[File], list[Diagnostic]]:
     problems: list[Diagnostic] = []
     for path in paths:
         _visit(os.fspath(path), files, problems)
-    return sorted(files.values(), key=lambda file: file.path), problems
+    opened = _opened(files.values(), problems)
+    return sorted(opened, key=lambda file: file.path), problems
+
+
+def _opened(files: Iterable[File], problems: list[Diagnostic]) -> Iterator[File]:
+    """The files with every HDF5 file replaced by what it holds; of all of which the same is to be said, it is said once."""
+    notes: dict[str, list[str]] = {}
+    for file in files:
+        if not file.path.lower().endswith((".h5", ".hdf5")):
+            yield file
+            continue
+        try:
+            opened = dataclasses.replace(file, place=0).opened(file.path)
+        except (ValueError, OSError) as error:
+            reason = why_unread(error) if isinstance(error, OSError) else str(error)
+            problems.append(unusable(file.path, reason))
+            continue
+        for note in opened.notes():
+            notes.setdefault(note, []).append(file.path)
+        for place, (path, size) in enumerate(opened.entries()):
+            yield File(path, size, file.chain, place)
+    for note, (first, *more) in notes.items():
+        told = f"{note}. So it is with {len(more)} more of the files" if more else note
+        problems.append(unusable(first, told, severity="note"))
 
 
 def _visit(path: str, files: dict[str, File], problems: list[Diagnostic]) -> None:
@@ -247,7 +328,7 @@ class Group:
         files = [(placed, _Heard(placed.file, tell)) for placed in self.files if wanted(placed)]
         given = [
             (placed.file.path, placed.role, placed.method, placed.first, placed.file.size, heard.read, heard.part)
-            if len(placed.file.chain) == 1
+            if placed.file.has_parts
             else (placed.file.path, placed.role, placed.method, placed.first, placed.file.size, heard.read, None)
             for placed, heard in files
         ]

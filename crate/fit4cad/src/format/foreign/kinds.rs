@@ -66,6 +66,13 @@ pub(super) const PACKED_BADLY: Kind = Kind {
     expected: "",
     hint: "Fetch it again, or unpack it first",
 };
+pub(super) const NOT_OPENED: Kind = Kind {
+    subject: Subject::File,
+    severity: Severity::Error,
+    message: "This is an HDF5 file that was not opened",
+    expected: "a name ending in .h5 or .hdf5",
+    hint: "Unpack it, and give it such a name",
+};
 pub(super) const LAZ: Kind = Kind {
     subject: Subject::File,
     severity: Severity::Error,

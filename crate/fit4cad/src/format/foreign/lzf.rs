@@ -1,7 +1,7 @@
-//! LZF (Lehmann), by which PCD files are compressed.
+//! LZF (Lehmann), by which PCD files and some HDF5 files are compressed.
 
-/// The bytes that were packed, of which there are `size`; `None` where they do not come to that.
-pub(super) fn unpack(packed: &[u8], size: usize) -> Option<Vec<u8>> {
+/// The bytes that were packed by LZF, of which there are `size`; `None` where they do not come to that. Linear in them.
+pub fn unpack(packed: &[u8], size: usize) -> Option<Vec<u8>> {
     // A reference of three bytes stands for 264 at most.
     if size / 264 > packed.len() {
         return None;

@@ -18,21 +18,26 @@ mod zip;
 #[cfg(test)]
 mod tests;
 
+pub(super) use gzip::{Packed, Unpacking};
 pub use gzip::{is_gzip, unpack_gzip};
+pub use lzf::unpack as unpack_lzf;
 pub use vg::TYPES as VERTEX_GROUP_TYPES;
+
+use std::collections::BTreeMap;
 
 use super::cloud::CloudFile;
 use super::findings::Findings;
 use super::window::Window;
 use crate::diagnostics::Diagnostic;
+use crate::surface::SurfaceType;
 
 /// What a file of another program holds.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Content {
     /// Points, perhaps with segments.
     Cloud(CloudFile),
-    /// A label for each row of a cloud.
-    Labels(Vec<i32>),
+    /// A label for each row of a cloud, and the types of the segments that have one.
+    Labels(Vec<i32>, BTreeMap<u32, SurfaceType>),
     /// Text of one of the kinds that are read anyway, unpacked.
     Text(Vec<u8>),
 }
@@ -86,6 +91,7 @@ enum Kind {
     Gzip,
     Array,
     Archive,
+    Hdf5,
     Ply,
     Pcd,
     Las,
@@ -103,6 +109,7 @@ fn kind_of(file: &str, bytes: &[u8]) -> Option<Kind> {
         _ if is_gzip(bytes) => Kind::Gzip,
         [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Kind::Array,
         [b'P', b'K', 3, 4, ..] if zip::holds_arrays(bytes) => Kind::Archive,
+        _ if bytes.starts_with(HDF5) => Kind::Hdf5,
         [b'p', b'l', b'y', b'\n' | b'\r', ..] => Kind::Ply,
         _ if bytes.starts_with(las::MAGIC) => Kind::Las,
         _ if is_pcd(bytes) => Kind::Pcd,
@@ -125,6 +132,11 @@ fn read_kind(
         Kind::Gzip => return None,
         Kind::Array => numpy::read_array(findings, bytes),
         Kind::Archive => numpy::read_archive(findings, bytes, purpose),
+        Kind::Hdf5 => {
+            let mut findings = findings;
+            findings.add_whole(&kinds::NOT_OPENED, String::new());
+            of_cloud((CloudFile::default(), findings.finish()))
+        }
         Kind::Ply => of_cloud(in_memory(ply::read(findings, &mut Window::whole(bytes)))),
         Kind::Pcd => of_cloud(pcd::read(findings, bytes)),
         Kind::Las => of_cloud(in_memory(las::read(findings, &mut Window::whole(bytes)))),
@@ -154,6 +166,9 @@ pub(super) fn read_by_pieces(
         _ => None,
     })
 }
+
+/// What HDF5 begins with.
+const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// Whether bytes begin as PCD files do: remarks, then the version or the fields.
 fn is_pcd(bytes: &[u8]) -> bool {

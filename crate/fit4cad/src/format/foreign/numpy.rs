@@ -1,5 +1,7 @@
 //! What arrays of NumPy mean: points, or a label for each point.
 
+use std::collections::BTreeMap;
+
 use super::gather::Gather;
 use super::kinds::{BAD_HEADER, CUT_OFF, NO_COORDINATES, PACKED_BADLY, PICKLED};
 use super::npy::{Array, Unread};
@@ -10,6 +12,7 @@ use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::Findings;
 use crate::format::labels::NO_LABEL;
 use crate::format::labels::is_label_value;
+use crate::surface::SurfaceType;
 
 /// Rows by which columns are told.
 const SAMPLES: usize = 1024;
@@ -19,7 +22,7 @@ pub(super) fn read_array(mut findings: Findings<'_>, bytes: &[u8]) -> (Content, 
     match Array::read(bytes) {
         Ok(array) => {
             if let Some(labels) = labels_of(&array) {
-                return (Content::Labels(labels), findings.finish());
+                return (Content::Labels(labels, BTreeMap::new()), findings.finish());
             }
             let (file, findings) = cloud(findings, &array, None);
             (Content::Cloud(file), findings)
@@ -75,19 +78,45 @@ pub(super) fn read_archive(
         .filter(|(_, _, labels)| rows.is_none_or(|rows| labels.len() == rows))
         .min_by_key(|(rank, ..)| *rank)
         .map(|(_, name, labels)| (name, labels));
+    let kinds = kinds_of(&arrays);
     match (points, labels) {
         (Some((_, array)), labels) => {
             let labels = labels.map(|(_, labels)| labels);
-            let (file, findings) = cloud(findings, array, labels);
+            let (mut file, findings) = cloud(findings, array, labels);
+            for segment in file.segments.iter_mut().flatten() {
+                segment.kind = kinds.get(&segment.number).copied();
+            }
             (Content::Cloud(file), findings)
         }
-        (None, Some((_, labels))) => (Content::Labels(labels), findings.finish()),
+        (None, Some((_, labels))) => (Content::Labels(labels, kinds), findings.finish()),
         (None, None) => {
             let names: Vec<&str> = unpacked.iter().map(|(name, _)| name.as_str()).collect();
             findings.add_whole(&NO_COORDINATES, names.join(", "));
             (Content::Cloud(CloudFile::default()), findings.finish())
         }
     }
+}
+
+/// The types of segments, where arrays `numbers` and `types` say so as in the project's own files: places in the order of
+/// [`SurfaceType::ALL`].
+fn kinds_of(arrays: &[(&str, Array<'_>)]) -> BTreeMap<u32, SurfaceType> {
+    let named = |wanted: &str| {
+        let found = arrays.iter().find(|(name, _)| *name == wanted);
+        found
+            .map(|(_, array)| array)
+            .filter(|array| array.is_whole())
+    };
+    let (Some(numbers), Some(types)) = (named("numbers"), named("types")) else {
+        return BTreeMap::new();
+    };
+    let both = numbers.count().min(types.count()).unwrap_or(0);
+    let kinds = (0..both).filter_map(|row| {
+        let (number, place) = (numbers.at(row, 0), types.at(row, 0));
+        let known = is_label_value(number) && number >= 0.0 && place >= 0.0;
+        let kind = SurfaceType::ALL.get(place as usize).filter(|_| known)?;
+        Some((number as u32, *kind))
+    });
+    kinds.collect()
 }
 
 /// How well a name says that an array is of the labels wanted; the less the better.

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use super::*;
 use crate::cloud::Point;
 
@@ -284,7 +286,10 @@ fn arrays_of_either_order_and_of_every_number_are_read() {
         Purpose::Truth,
     );
     let expected: Vec<i32> = rows().iter().map(|&(_, label)| label).collect();
-    assert_eq!(read, Some((Content::Labels(expected), vec![])));
+    assert_eq!(
+        read,
+        Some((Content::Labels(expected, BTreeMap::new()), vec![]))
+    );
 }
 
 /// A zip of stored or deflated entries.
@@ -428,7 +433,7 @@ fn vertex_groups_are_read_as_easy3d_and_as_its_documentation_write_them() {
         let (file, findings) = cloud(text.as_bytes());
         assert!(findings.is_empty(), "{findings:?}");
         let segments = file.segments.unwrap();
-        assert_eq!(segments[0].kind, Some(crate::surface::SurfaceType::Plane));
+        assert_eq!(segments[0].kind, Some(SurfaceType::Plane));
         assert_eq!((segments[1].kind, segments[1].points[0]), (None, 30));
     }
 }
@@ -521,10 +526,55 @@ fn files_packed_by_gzip_are_unpacked_whatever_they_are() {
     };
     let array = npy("<f8", "(60, 3)", &points(FLOATS[2].1, false));
     is_whole(&packed(&array), false);
+    // Of several members, as tools that pack on many cores write them, all are read; what follows them is nothing.
+    let (first, second) = array.split_at(700);
+    is_whole(&[packed(first), packed(second), vec![0; 9]].concat(), false);
     let text = read_foreign("a.xyz.gz", &packed(b"1 2 3\n"), Purpose::Truth);
     assert_eq!(text, Some((Content::Text(b"1 2 3\n".to_vec()), vec![])));
     let (file, findings) = cloud(&[0x1F, 0x8B, 8, 0, 1, 2]);
     assert!(file.cloud.is_empty() && findings[0].message.contains("unpacked"));
+}
+
+#[test]
+fn what_is_packed_is_had_from_any_place() {
+    let whole: Vec<u8> = (0..300_000u32)
+        .flat_map(|at| at.wrapping_mul(at).to_le_bytes())
+        .collect();
+    let mut packed = vec![0x1F, 0x8B, 8, 0, 0, 0, 0, 0, 0, 3];
+    packed.extend(miniz_oxide::deflate::compress_to_vec(&whole, 6));
+    packed.extend([0; 8]);
+    let asked = std::cell::Cell::new(0);
+    let part = |from: u64, to: u64| {
+        asked.set(asked.get() + to - from);
+        Ok(std::borrow::Cow::Borrowed(
+            &packed[from as usize..to as usize],
+        ))
+    };
+    let mut unpacking = Unpacking::new(packed.len() as u64, &part);
+    assert_eq!(unpacking.length(), Ok(whole.len() as u64));
+    asked.set(0);
+    let mut read = |from: usize, to: usize| {
+        assert_eq!(
+            unpacking.read(from as u64, to as u64).unwrap(),
+            whole[from.min(whole.len())..to.min(whole.len())],
+            "{from}"
+        );
+    };
+    // Forwards, with what was had before once more.
+    for from in (0..whole.len()).step_by(100_000) {
+        read(from, from + 100_000);
+        read(from + 10, from + 20);
+    }
+    assert!(asked.get() < 2 * packed.len() as u64, "it is unpacked once");
+    read(7, 9);
+    read(1_000_000, 1_000_001);
+    read(1_199_999, 5_000_000);
+    read(2_000_000, 2_000_001);
+    // One that is cut off is not taken for a shorter one.
+    let cut = &packed[..packed.len() / 2];
+    let part =
+        |from: u64, to: u64| Ok(std::borrow::Cow::Borrowed(&cut[from as usize..to as usize]));
+    assert!(Unpacking::new(cut.len() as u64, &part).length().is_err());
 }
 
 #[test]

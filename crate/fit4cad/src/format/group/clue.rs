@@ -201,6 +201,12 @@ pub(in crate::format) fn names_truth(name: &str) -> bool {
     matches!(word.to_lowercase().as_str(), "truth" | "groundtruth" | "gt")
 }
 
+/// What a file of such a name holds, where one of its words says so: `PC1_labels`, `PC1_primitives_HT`. The name is
+/// without folders and ending.
+pub fn role_in_name(name: &str) -> Option<Role> {
+    FileName::read(name).role
+}
+
 /// The parts of a file's name: `PC1.txt`, `PC1_primitives.txt`, `PC1_primitives_HT.txt`.
 struct FileName {
     stem: String,

@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 
 use clue::Sorted;
 pub(super) use clue::names_truth;
+pub use clue::role_in_name;
 pub use naming::model_number;
 
 use super::Role;

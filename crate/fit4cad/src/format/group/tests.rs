@@ -368,7 +368,7 @@ fn what_has_no_place_is_listed_with_the_reason() {
         [
             "PC2: PC2.txt",
             "? a.bin: not of a kind that is read: .txt, .xyz, .xyzn, .xyzrgb, .csv, .tsv, .pts, .asc, \
-             .dat, .xyzc, .ply, .pcd, .las, .npz, .npy, .vg, .obj, .stl, .seg, .labels, .fidx",
+             .dat, .xyzc, .ply, .pcd, .las, .npz, .npy, .h5, .hdf5, .vg, .obj, .stl, .seg, .labels, .fidx",
             "? a.zip: an archive within; unpack it first",
             "? boxplot_colors.txt: its name is not that of a model's file",
             "? PC1_primitives.txt: there is no cloud PC1 for it",

@@ -136,6 +136,66 @@ impl Source for Made {
     }
 }
 
+/// A long file that gzip packed, of which nothing but pieces are to be had.
+struct Packed {
+    bytes: Vec<u8>,
+    largest: Cell<u64>,
+}
+
+impl Source for Packed {
+    fn path(&self) -> &'static str {
+        "PC1.xyz.gz"
+    }
+
+    fn role(&self) -> Role {
+        Role::Cloud
+    }
+
+    fn method(&self) -> Option<&str> {
+        None
+    }
+
+    fn size(&self) -> u64 {
+        self.bytes.len() as u64
+    }
+
+    fn content(&self) -> Result<Cow<'_, [u8]>, String> {
+        Err("it is read in pieces".to_owned())
+    }
+
+    fn part(&self, from: u64, to: u64) -> Option<Result<Cow<'_, [u8]>, String>> {
+        self.largest.set(self.largest.get().max(to - from));
+        Some(Ok(Cow::Borrowed(&self.bytes[from as usize..to as usize])))
+    }
+}
+
+#[test]
+fn a_long_text_that_is_packed_is_read_as_it_is_unpacked() {
+    let rows: String = (0..600_000)
+        .map(|at| match at {
+            500_000 => "1 x 2\n".to_owned(),
+            at => format!("{}.25 {} {}.5\n", at % 977, at % 101, at),
+        })
+        .collect();
+    let mut bytes = vec![0x1F, 0x8B, 8, 0, 0, 0, 0, 0, 0, 3];
+    bytes.extend(miniz_oxide::deflate::compress_to_vec(rows.as_bytes(), 1));
+    bytes.extend([0; 8]);
+    let (whole, _) = read_cloud("PC1.xyz.gz", rows.as_bytes());
+    let packed = Packed {
+        bytes,
+        largest: Cell::new(0),
+    };
+    let reading = read_files("PC1", std::slice::from_ref(&packed), &Readers::ALL);
+    assert_eq!(reading.model.cloud, whole.cloud);
+    let told: Vec<_> = reading
+        .diagnostics
+        .iter()
+        .filter_map(|it| it.position)
+        .collect();
+    assert_eq!((told.len(), told[0].line), (1, 500_001));
+    assert!(packed.largest.get() < packed.size());
+}
+
 #[test]
 fn a_long_text_is_never_asked_for_whole() {
     for row in [&b"[0.125, -3.5, 17.25], \n"[..], b"0.125 -3.5 17.25\n"] {
