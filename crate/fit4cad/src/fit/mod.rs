@@ -194,13 +194,12 @@ pub fn fit(
     };
     let is_noisy = judge::is_for(&search.scale, places.cloud().len());
     let is_told = parameters.noise > 0.0 && search.scale.has_noise();
-    let noise = if !is_noisy {
-        None
-    } else if is_told {
-        Some(search.scale.noise)
-    } else {
-        judge::measure(places.cloud().points(), &search.tree, &search.scale)
-    };
+    // Points that fill space do so whatever noise is told: within wide noise they would be on anything.
+    let measured =
+        is_noisy.then(|| judge::measure(places.cloud().points(), &search.tree, &search.scale));
+    let told = search.scale.noise;
+    let noise = measured.flatten();
+    let noise = noise.map(|measured| if is_told { told } else { measured });
     if let Some(noise) = noise {
         search.scale = search
             .scale

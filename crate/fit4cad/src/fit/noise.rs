@@ -66,7 +66,7 @@ pub struct Noise {
 }
 
 impl Noise {
-    /// The noise a search goes by that judges by `judged` or, without, takes its cloud for exact.
+    /// The noise that a search went by, of the kind that its course tells.
     pub(super) fn of(search: &Search<'_>, kind: Kind) -> Self {
         let scale = &search.scale;
         let parameters = &search.parameters;
@@ -78,7 +78,6 @@ impl Noise {
         } else {
             Source::Measured
         };
-        let is_rounded = scale.step > 0.0;
         Self {
             deviation: if is_given {
                 parameters.noise
@@ -88,13 +87,12 @@ impl Noise {
                 scale.noise
             },
             source,
-            kind: match (is_rounded, is_given) {
-                (true, _) => Some(Kind::Rounded),
-                (false, true) => None,
-                (false, false) if kind == Kind::Scattered && !scale.has_noise() => {
-                    Some(Kind::Exact)
-                }
-                (false, false) => Some(kind),
+            kind: match kind {
+                Kind::Everywhere => Some(kind),
+                _ if scale.step > 0.0 => Some(Kind::Rounded),
+                _ if is_given => None,
+                Kind::Scattered if !scale.has_noise() => Some(Kind::Exact),
+                _ => Some(kind),
             },
             step: scale.step,
         }
