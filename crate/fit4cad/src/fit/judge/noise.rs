@@ -32,8 +32,8 @@ const STEADY: f64 = 0.7;
 const MOST_HIDDEN: f64 = 0.65;
 
 /// Noise, in spacings, up to which the nearest neighbours see nearly all of it: of noise of 0.3 spacings all, of 0.75
-/// they see 0.53, of 1.5 only 0.6.
-const SEEN: f64 = 0.4;
+/// they see 0.53 to 0.58, of 1.5 no more.
+const SEEN: f64 = 0.5;
 /// How much larger than what they see it may be, up to there.
 const LARGER: f64 = 1.5;
 
