@@ -81,7 +81,7 @@ test("noise that cannot be is told of, and other clouds are fitted all the same"
   const { code, out, err } = fit4cad("fit", "--method", "ht", "--noise", "40", "--json", root);
   assert.equal(code, 1);
   assert.match(err, /PC1.*`noise` is 40, and the cloud no more than 26\.\d+ from corner to corner/);
-  assert.deepEqual(JSON.parse(out).map(({ model }) => model), ["PC2"]);
+  assert.deepEqual(JSON.parse(out).map((/** @type {{ model: string }} */ { model }) => model), ["PC2"]);
   for (const bad of ["-1", "NaN", "wide"]) {
     assert.equal(fit4cad("fit", "--method", "ht", "--noise", bad, root).code, 2);
   }

@@ -36,7 +36,7 @@ function told(model, method) {
  * @param {string} method
  */
 function reread({ Model }, { texts, submission }, method) {
-  const file = (/** @type {string} */ role, /** @type {string} */ text, /** @type {string | undefined} */ by) => {
+  const file = (/** @type {string} */ role, /** @type {string} */ text, /** @type {string | undefined} */ by = undefined) => {
     const data = new TextEncoder().encode(text);
     const path = `${by ?? "truth"}/PC1_${role}.txt`;
     return { path, role, ...(by ? { method: by } : {}), size: data.length, read: () => data, part: (/** @type {number} */ from, /** @type {number} */ to) => data.slice(from, to) };
