@@ -15,7 +15,7 @@ const VENV = join(TOOLS, "python");
 /** What builds and tests; without it nothing is done. */
 const NEEDED = ["maturin==1.16.0", "numpy", "pytest"];
 /** What some results and tests are for; those tests skip where it is not to be had. */
-const WELCOME = ["pandas", "pyarrow", "dask[distributed]", "tqdm", "matplotlib", "nbclient", "nbformat", "ipykernel"];
+const WELCOME = ["pandas", "pyarrow", "dask[distributed]", "tqdm", "matplotlib", "nbclient", "nbformat", "ipykernel", "h5py"];
 
 /**
  * A command of a virtual environment.
