@@ -54,7 +54,7 @@ export function Parameter({ info, value, onChange }: Props): JSX.Element {
       <p id={`${id}-about`}>
         {explanation}{" "}
         <span class="range">
-          {minimum} to {maximum}
+          {minimum.toLocaleString("en")} to {maximum.toLocaleString("en")}
           {whole ? ", whole" : ""}; default {info.default}.
         </span>
       </p>
