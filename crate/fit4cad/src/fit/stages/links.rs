@@ -49,10 +49,13 @@ impl Longest {
     /// Of a cloud whose points have been labelled. Linear in the points.
     pub fn of(search: &Search<'_>, labels: &Labels) -> Self {
         let cap = REACH * search.scale.spacing;
-        let (mut lengths, mut steps): (Vec<f64>, Vec<f64>) = (0u32..)
-            .take(search.cloud.len())
-            .filter_map(|index| longest_within(search, labels, index))
-            .unzip();
+        let within = || {
+            let indices = (0u32..).take(search.cloud.len());
+            indices.filter_map(|index| longest_within(search, labels, index))
+        };
+        // One after the other: a fit holds the most here.
+        let mut lengths: Vec<f64> = Vec::with_capacity(search.cloud.len());
+        lengths.extend(within().map(|(length, _)| length));
         if lengths.len() < ENOUGH {
             return Self {
                 usual: cap,
@@ -62,12 +65,21 @@ impl Longest {
             };
         }
         let usual = quantile(&mut lengths, USUAL).min(cap);
+        let unevenness = usual / quantile(&mut lengths, 0.5);
+        let mut steps = lengths;
+        steps.clear();
+        steps.extend(within().map(|(_, steps)| steps));
         Self {
             usual,
-            unevenness: usual / quantile(&mut lengths, 0.5),
+            unevenness,
             cap,
             steps: quantile(&mut steps, USUAL).min(STEPS),
         }
+    }
+
+    /// Whether a link of a length needs no other reason on any face.
+    pub fn is_usual(&self, length: f64) -> bool {
+        length <= self.usual
     }
 
     /// The longest link of a face that needs no other reason, by the longest of each of its points: rows may be farther

@@ -106,7 +106,7 @@ impl Face<'_> {
         let mut near = Vec::with_capacity(LINKS + 1);
         let farthest = FARTHEST * self.search.scale.spacing;
         let mut own = vec![0.0; self.points.len()];
-        let mut links: Vec<(u32, u32, f64)> = Vec::new();
+        let mut long: Vec<(u32, u32, f64)> = Vec::new();
         let mut longest: Vec<f64> = Vec::with_capacity(self.points.len());
         for (position, &index) in (0u32..).zip(self.points) {
             if matches!(roles[position as usize], Role::Corner) {
@@ -116,20 +116,26 @@ impl Face<'_> {
             self.near(index, farthest, &mut near);
             let fourth = near.get(FOURTH - 1).or(near.last());
             own[position as usize] = fourth.map_or(0.0, |n| n.distance_squared.sqrt());
-            let before = links.len();
+            let mut last = None;
             for (rank, neighbour) in near.iter().enumerate() {
                 let other = self.place[neighbour.index as usize];
                 let end = self.search.point(neighbour.index);
                 let nearer = near[..rank].iter().map(|n| self.search.point(n.index));
                 if self.links(&roles, position, other) && is_gabriel_link(point, end, nearer) {
-                    links.push((position, other, neighbour.distance_squared.sqrt()));
+                    let length = neighbour.distance_squared.sqrt();
+                    last = Some(length);
+                    if self.longest.is_usual(length) {
+                        sets.join(position as usize, other as usize);
+                    } else {
+                        long.push((position, other, length));
+                    }
                 }
             }
             // The nearest come first.
-            longest.extend(links.get(before..).and_then(<[_]>::last).map(|link| link.2));
+            longest.extend(last);
         }
         let allowed = self.longest.on_face(&mut longest);
-        for (from, to, length) in links {
+        for (from, to, length) in long {
             // Both ends must be as sparse: a pad of few points beside a large face is another.
             let sparser = own[from as usize].min(own[to as usize]);
             if length <= allowed.max(self.longest.steps * sparser) {
