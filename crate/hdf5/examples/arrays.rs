@@ -1,4 +1,4 @@
-//! Says what becomes of HDF5 files: `cargo run -p fit4cad-hdf5 --example inspect -- FILE…`.
+//! Says what becomes of HDF5 files: `cargo run -p fit4cad-hdf5 --example arrays -- FILE…`.
 
 use std::io::Write as _;
 
