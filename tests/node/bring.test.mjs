@@ -138,7 +138,7 @@ test("what was found is written in every form, with a truth and without, and rea
   assert.deepEqual(readdirSync(out).sort(), forms.map(({ ending }) => `a_truth${ending}`).sort());
   const table = readFileSync(join(out, "a_truth_primitives.csv"), "utf8").trim().split("\n");
   assert.equal(table.length, 4);
-  assert.match(table[0] ?? "", /^primitive,type,points,axis_x,.*,mfe,dhaus$/);
+  assert.match(table[0] ?? "", /^primitive,type,points,axis_x,.*,mfe,dhaus,axis_error_rad,.*,half_angle_error_rad$/);
   assert.equal(JSON.parse(readFileSync(join(out, "a_truth_primitives.json"), "utf8")).surfacesFitted, true);
   for (const ending of [".ply", ".xyzc", ".npz", ".vg"]) {
     const again = folder(t, { "a.xyz": rows(" "), "a_labels.txt": LABELS, [`HT/a${ending}`]: readFileSync(join(out, `a_truth${ending}`)) });
