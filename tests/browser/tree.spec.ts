@@ -74,8 +74,7 @@ test("what is locked is not found by a click in the picture, until Escape unlock
   await page.mouse.click(x, y);
   await page.waitForTimeout(400);
   await expect(row).toHaveAttribute("aria-pressed", "false");
-  // What lies behind it may be found instead; the row still selects what is locked.
-  await page.locator("body").press("Escape");
+  // What lies behind it may be found instead, or nothing; the row still selects what is locked.
   await expect(page.getByRole("button", { name: "Unlock 1" })).toBeVisible();
   await row.click();
   await expect(row).toHaveAttribute("aria-pressed", "true");
