@@ -1,5 +1,6 @@
 //! Numbers of any kind that HDF5 has, as `f64`.
 
+use fit4cad::format::foreign::{Scalar, ScalarKind};
 use hdf5_reader::error::Error;
 use hdf5_reader::{ByteOrder, Datatype, H5Type};
 
@@ -7,86 +8,38 @@ use hdf5_reader::{ByteOrder, Datatype, H5Type};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Number(pub(crate) f64);
 
-/// How a number is stored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Stored {
-    size: usize,
-    is_float: bool,
-    is_signed: bool,
-    order: ByteOrder,
-}
-
-impl Stored {
-    /// `None` where it is no number.
-    fn of(kind: &Datatype) -> Option<Self> {
-        let (size, is_float, is_signed, order) = match kind {
-            Datatype::FixedPoint {
-                size,
-                signed,
-                byte_order,
-            } => (*size, false, *signed, *byte_order),
-            Datatype::FloatingPoint { size, byte_order } => (*size, true, true, *byte_order),
-            // Truth values are an enumeration.
-            Datatype::Enum { base, .. } => return Self::of(base),
-            _ => return None,
-        };
-        let exists = matches!(size, 1 | 2 | 4 | 8) && !(is_float && size == 1);
-        exists.then_some(Self {
-            size: usize::from(size),
-            is_float,
-            is_signed,
-            order,
-        })
-    }
-
-    fn read(self, bytes: &[u8]) -> Option<f64> {
-        let mut word = [0u8; 8];
-        let low = word.get_mut(..self.size)?;
-        low.copy_from_slice(bytes.get(..self.size)?);
-        if self.order == ByteOrder::BigEndian {
-            low.reverse();
-        }
-        let raw = u64::from_le_bytes(word);
-        Some(match (self.is_float, self.size) {
-            (true, 2) => half(raw as u16),
-            (true, 4) => f64::from(f32::from_bits(raw as u32)),
-            (true, _) => f64::from_bits(raw),
-            (false, size) if self.is_signed => {
-                // The sign is at the top of its own bytes.
-                let shift = 64 - 8 * size as u32;
-                ((raw << shift) as i64 >> shift) as f64
-            }
-            (false, _) => raw as f64,
-        })
-    }
-}
-
-/// A number of IEEE 754 binary16.
-fn half(bits: u16) -> f64 {
-    let sign = if bits >> 15 == 0 { 1.0 } else { -1.0 };
-    let exponent = i32::from(bits >> 10 & 31);
-    let fraction = f64::from(bits & 1023);
-    sign * match exponent {
-        0 => fraction / 1024.0 * (2.0f64).powi(-14),
-        31 if fraction == 0.0 => f64::INFINITY,
-        31 => f64::NAN,
-        _ => (1.0 + fraction / 1024.0) * (2.0f64).powi(exponent - 15),
-    }
+/// How an array's numbers are stored; `None` where it has none.
+fn stored(kind: &Datatype) -> Option<Scalar> {
+    let (kind, size, order) = match kind {
+        Datatype::FixedPoint {
+            size,
+            signed: true,
+            byte_order,
+        } => (ScalarKind::Signed, size, byte_order),
+        Datatype::FixedPoint {
+            size, byte_order, ..
+        } => (ScalarKind::Unsigned, size, byte_order),
+        Datatype::FloatingPoint { size, byte_order } => (ScalarKind::Float, size, byte_order),
+        // Truth values are an enumeration.
+        Datatype::Enum { base, .. } => return stored(base),
+        _ => return None,
+    };
+    Scalar::new(kind, usize::from(*size), *order == ByteOrder::BigEndian)
 }
 
 /// Whether an array is of numbers.
 pub(crate) fn is_numeric(kind: &Datatype) -> bool {
-    Stored::of(kind).is_some()
+    stored(kind).is_some()
 }
 
 /// Whether its numbers are whole ones by their type.
 pub(crate) fn is_whole(kind: &Datatype) -> bool {
-    Stored::of(kind).is_some_and(|stored| !stored.is_float)
+    stored(kind).is_some_and(|stored| stored.kind != ScalarKind::Float)
 }
 
 /// Whether single precision loses nothing of its numbers.
 pub(crate) fn is_single(kind: &Datatype) -> bool {
-    Stored::of(kind).is_some_and(|stored| stored.is_float && stored.size <= 4)
+    stored(kind).is_some_and(|stored| stored.kind == ScalarKind::Float && stored.size <= 4)
 }
 
 impl H5Type for Number {
@@ -95,7 +48,7 @@ impl H5Type for Number {
     }
 
     fn from_bytes(bytes: &[u8], kind: &Datatype) -> Result<Self, Error> {
-        let value = Stored::of(kind).and_then(|stored| stored.read(bytes));
+        let value = stored(kind).and_then(|stored| stored.read(bytes, 0));
         value.map(Self).ok_or_else(|| Error::TypeMismatch {
             expected: "a number".to_owned(),
             actual: "something else".to_owned(),
@@ -103,7 +56,7 @@ impl H5Type for Number {
     }
 
     fn element_size(kind: &Datatype) -> usize {
-        Stored::of(kind).map_or(8, |stored| stored.size)
+        stored(kind).map_or(8, |stored| stored.size)
     }
 }
 

@@ -21,6 +21,7 @@ mod tests;
 pub(super) use gzip::{Packed, Unpacking};
 pub use gzip::{is_gzip, unpack_gzip};
 pub use lzf::unpack as unpack_lzf;
+pub use scalar::{Kind as ScalarKind, Scalar};
 pub use vg::TYPES as VERTEX_GROUP_TYPES;
 
 use std::collections::BTreeMap;

@@ -2,23 +2,29 @@
 
 /// How a number is stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Scalar {
-    pub(super) kind: Kind,
+pub struct Scalar {
+    /// What it is.
+    pub kind: Kind,
     /// In bytes.
-    pub(super) size: usize,
-    pub(super) big_endian: bool,
+    pub size: usize,
+    /// Whether the byte of most weight comes first.
+    pub big_endian: bool,
 }
 
+/// What a stored number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum Kind {
+    /// A whole number in two's complement.
     Signed,
+    /// A whole number without sign.
     Unsigned,
+    /// Of IEEE 754.
     Float,
 }
 
 impl Scalar {
-    /// One of a kind and size that there is.
-    pub(super) fn new(kind: Kind, size: usize, big_endian: bool) -> Option<Self> {
+    /// One of a kind and size that there is: whole numbers of 1, 2, 4 and 8 bytes, others of 2, 4 and 8.
+    pub fn new(kind: Kind, size: usize, big_endian: bool) -> Option<Self> {
         let exists = match kind {
             Kind::Float => matches!(size, 2 | 4 | 8),
             Kind::Signed | Kind::Unsigned => matches!(size, 1 | 2 | 4 | 8),
@@ -30,9 +36,9 @@ impl Scalar {
         })
     }
 
-    /// The number that lies at an offset.
+    /// The number that lies at an offset; `None` where the bytes end before.
     #[inline]
-    pub(super) fn read(self, bytes: &[u8], at: usize) -> Option<f64> {
+    pub fn read(self, bytes: &[u8], at: usize) -> Option<f64> {
         let bytes = bytes.get(at..at.checked_add(self.size)?)?;
         let mut word = [0u8; 8];
         let low = word.get_mut(..self.size)?;
