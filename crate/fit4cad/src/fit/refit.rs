@@ -48,27 +48,28 @@ pub fn refit(
     found: &Segmentation,
     observer: &mut dyn Observer,
 ) -> Result<Vec<Refitted>, Cancelled> {
-    let mut groups: Vec<(Surface, Vec<&Primitive>)> = Vec::new();
+    let mut groups: Vec<(Surface, Vec<u32>)> = Vec::new();
     for primitive in &found.primitives {
         let Some(surface) = primitive.surface else {
             continue;
         };
         match groups.iter_mut().find(|(known, _)| *known == surface) {
-            Some((_, patches)) => patches.push(primitive),
-            None => groups.push((surface, vec![primitive])),
+            Some((_, points)) => points.extend_from_slice(&primitive.points),
+            None => groups.push((surface, primitive.points.clone())),
         }
     }
     let mut surfaces = vec![NONE; search.cloud.len()];
-    for (place, (_, patches)) in (0u32..).zip(&groups) {
-        for index in indices(patches) {
+    for (place, (_, points)) in (0u32..).zip(&mut groups) {
+        points.sort_unstable();
+        points.dedup();
+        for &index in points.iter() {
             let on = &mut surfaces[index as usize];
             *on = if *on == NONE { place } else { SEVERAL };
         }
     }
     let mut refitted = Vec::new();
-    for (place, (surface, patches)) in (0u32..).zip(groups) {
+    for (place, (surface, all)) in (0u32..).zip(groups) {
         observer.progress(Stage::Patches, 1.0)?;
-        let all = indices(&patches);
         let is_own = |index: u32| surfaces[index as usize] == place;
         let is_inside = |&&index: &&u32| {
             let mut near = search.graph.of(index).iter().take(INSIDE);
@@ -96,15 +97,6 @@ pub fn apply(segmentation: &mut Segmentation, refitted: &[Refitted]) {
             *primitive = Primitive::on(it.to, primitive.number, points);
         }
     }
-}
-
-/// The points of patches, ascending, each once.
-fn indices(patches: &[&Primitive]) -> Vec<u32> {
-    let listed = patches.iter().flat_map(|it| it.points.iter().copied());
-    let mut indices: Vec<u32> = listed.collect();
-    indices.sort_unstable();
-    indices.dedup();
-    indices
 }
 
 /// The surface as its points have it; `None` where it is to stay as it is.
