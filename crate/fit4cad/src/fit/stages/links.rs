@@ -49,13 +49,15 @@ impl Longest {
     /// Of a cloud whose points have been labelled. Linear in the points.
     pub fn of(search: &Search<'_>, labels: &Labels) -> Self {
         let cap = REACH * search.scale.spacing;
-        let within = || {
-            let indices = (0u32..).take(search.cloud.len());
-            indices.filter_map(|index| longest_within(search, labels, index))
-        };
-        // One after the other: a fit holds the most here.
-        let mut lengths: Vec<f64> = Vec::with_capacity(search.cloud.len());
-        lengths.extend(within().map(|(length, _)| length));
+        // With their room, as a fit holds the most here.
+        let room = || Vec::<f64>::with_capacity(search.cloud.len());
+        let (mut lengths, mut steps) = (room(), room());
+        for index in (0u32..).take(search.cloud.len()) {
+            if let Some((length, of_fourth)) = longest_within(search, labels, index) {
+                lengths.push(length);
+                steps.push(of_fourth);
+            }
+        }
         if lengths.len() < ENOUGH {
             return Self {
                 usual: cap,
@@ -65,13 +67,9 @@ impl Longest {
             };
         }
         let usual = quantile(&mut lengths, USUAL).min(cap);
-        let unevenness = usual / quantile(&mut lengths, 0.5);
-        let mut steps = lengths;
-        steps.clear();
-        steps.extend(within().map(|(_, steps)| steps));
         Self {
             usual,
-            unevenness,
+            unevenness: usual / quantile(&mut lengths, 0.5),
             cap,
             steps: quantile(&mut steps, USUAL).min(STEPS),
         }
