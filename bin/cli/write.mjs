@@ -1,13 +1,12 @@
 // Writing files whole or not at all.
 
+import { randomUUID } from "node:crypto";
 import { mkdirSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { whyUnwritten } from "./reasons.mjs";
 
 /** A file could not be written; the message names it and says why. */
 export class NotWritten extends Error {}
-
-let written = 0;
 
 /**
  * Writes a file under its name only once it is complete, and makes its folder if missing: a full
@@ -16,8 +15,8 @@ let written = 0;
  * @param {string | Uint8Array} content
  */
 export function writeWhole(path, content) {
-  written += 1;
-  const part = join(dirname(path), `.fit4cad-${process.pid}-${written}.part`);
+  // Threads, processes and machines may write into one folder at once.
+  const part = join(dirname(path), `.fit4cad-${randomUUID()}.part`);
   try {
     makeFolders(dirname(path));
     try {
