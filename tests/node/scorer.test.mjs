@@ -36,7 +36,8 @@ function told(model, method) {
  * @param {string} method
  */
 function reread({ Model }, { texts, submission }, method) {
-  const file = (/** @type {string} */ role, /** @type {string} */ text, /** @type {string | undefined} */ by = undefined) => {
+  /** @param {string} role @param {string} text @param {string} [by] */
+  const file = (role, text, by) => {
     const data = new TextEncoder().encode(text);
     const path = `${by ?? "truth"}/PC1_${role}.txt`;
     return { path, role, ...(by ? { method: by } : {}), size: data.length, read: () => data, part: (/** @type {number} */ from, /** @type {number} */ to) => data.slice(from, to) };
