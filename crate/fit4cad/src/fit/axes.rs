@@ -46,7 +46,11 @@ pub fn half_plane(points: &[Point], origin: &Point, axis: &Direction) -> Vec<Poi
 
 /// The cone whose line passes through points of the half-plane best. `None` for a cylinder or plane.
 pub fn cone(section: &[Point], origin: &Point, axis: &Direction) -> Option<Surface> {
-    let spread = Spread::of(section.iter())?;
+    cone_of(&Spread::of(section.iter())?, origin, axis)
+}
+
+/// The cone whose line is that of a spread in the half-plane. `None` for a cylinder or plane.
+pub fn cone_of(spread: &Spread, origin: &Point, axis: &Direction) -> Option<Surface> {
     let line = spread.directions[2];
     let (out, up) = (line.x, line.y);
     (up.abs() > 1e-6 && out.abs() > 1e-6).then(|| {

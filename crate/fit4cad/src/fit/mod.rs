@@ -38,6 +38,7 @@ pub mod pure;
 pub mod quadric;
 mod quantile;
 pub mod refit;
+pub mod relations;
 pub mod scale;
 pub mod search;
 pub mod single;

@@ -5,6 +5,7 @@
 
 use super::least_squares::{self, BIWEIGHT, Loss, degrees_of_freedom};
 use super::progress::{Cancelled, Observer, Stage};
+use super::relations::Known;
 use super::search::Search;
 use crate::cloud::Point;
 use crate::model::{Primitive, Segmentation};
@@ -39,7 +40,8 @@ pub struct Refitted {
 /// Fits every surface of what was found. O(points).
 ///
 /// Of a cloud that is exact, surfaces that follow from others (an axis of a neighbour's, a plane at a right angle) stay as
-/// they are unless their points say otherwise.
+/// they are unless their points say otherwise. Within noise a surface shares the direction or axis of one with more points, where its
+/// own points do not say otherwise.
 ///
 /// # Errors
 /// If the observer stops the fit.
@@ -67,8 +69,11 @@ pub fn refit(
             *on = if *on == NONE { place } else { SEVERAL };
         }
     }
+    let mut order: Vec<_> = (0u32..).zip(groups).collect();
+    order.sort_by_key(|(_, (_, points))| std::cmp::Reverse(points.len()));
+    let mut known = Known::default();
     let mut refitted = Vec::new();
-    for (place, (surface, all)) in (0u32..).zip(groups) {
+    for (place, (surface, all)) in order {
         observer.progress(Stage::Patches, 1.0)?;
         let is_own = |index: u32| surfaces[index as usize] == place;
         let is_inside = |&&index: &&u32| {
@@ -81,7 +86,12 @@ pub fn refit(
             own = all;
         }
         let points = search.points(&own);
-        if let Some(to) = fitted(search, surface, &points, observer)? {
+        let mut to = fitted(search, surface, &points, observer)?.unwrap_or(surface);
+        if !search.scale.is_clean() {
+            to = sharing(&known, search.scale.noise, to, &points);
+            known.add(&to);
+        }
+        if to != surface {
             refitted.push(Refitted { from: surface, to });
         }
     }
@@ -127,17 +137,35 @@ fn fitted(
     Ok(is_kept.then_some(best))
 }
 
+/// The surface nearest to the points of those of its family that share a direction or an axis with one known, unless the surface
+/// itself is better by more than chance.
+fn sharing(known: &Known, noise: f64, surface: Surface, points: &[Point]) -> Surface {
+    let stride = points.len().div_ceil(FIRST).max(1);
+    let some: Vec<Point> = points.iter().step_by(stride).copied().collect();
+    let held = known.held(Some(surface.kind()), &some, noise);
+    let nearest = held
+        .map(|it| (it.surface, squares(&it.surface, &some, noise)))
+        .filter(|(it, _)| it.is_in_range())
+        .min_by(|(_, a), (_, b)| a.total_cmp(b));
+    match nearest {
+        Some((held, _)) if !is_significant(&held, &surface, points, noise) => held,
+        _ => surface,
+    }
+}
+
 /// Whether a fit is better than a surface by more than chance lets it be: by the variance of the points off it for each
 /// degree of freedom, give or take.
 fn is_significant(old: &Surface, new: &Surface, points: &[Point], noise: f64) -> bool {
     let freedom = degrees_of_freedom(new.kind()) as f64;
-    let cut_off = BIWEIGHT * noise;
-    let sum = |surface: &Surface| -> f64 {
-        let distances = points.iter().map(|point| surface.distance(point));
-        distances.map(|it| it.min(cut_off).powi(2)).sum()
-    };
+    let sum = |surface: &Surface| squares(surface, points, noise);
     let left = sum(new);
     let variance = left / (points.len() as f64 - freedom).max(1.0);
     let chance = freedom + SIGNIFICANT * (2.0 * freedom).sqrt();
     sum(old) - left > chance * variance
+}
+
+/// Sum of the squares of how far points are off a surface, those farther off than noise leaves any counted as at its end.
+fn squares(surface: &Surface, points: &[Point], noise: f64) -> f64 {
+    let distances = points.iter().map(|point| surface.distance(point));
+    distances.map(|it| it.min(BIWEIGHT * noise).powi(2)).sum()
 }

@@ -1,11 +1,12 @@
 //! Which family of surfaces describes some points best: the one whose errors and parameters together take
 //! fewest nats.
 
-use super::energy::{self, Deviation, of_surface};
+use super::energy::{self, Deviation, of_family, of_shared, of_surface};
 use crate::cloud::Point;
 use crate::cloud::normals::Spread;
 use crate::fit::least_squares::{self, Loss, degrees_of_freedom};
 use crate::fit::local;
+use crate::fit::relations::Known;
 use crate::surface::{Plane, Surface, SurfaceType};
 
 /// Standard deviations from which on a point has no say in a fit.
@@ -29,6 +30,9 @@ pub struct Measures {
     pub deviation: Deviation,
     /// Diameter of the cloud.
     pub diameter: f64,
+    /// Whether families are as likely as they are common. Where proposals begin as small patches all are alike: one that is
+    /// taken for a plane at first grows no further than a plane does.
+    pub weighs_families: bool,
 }
 
 /// Some points of a group, that stand for all.
@@ -55,11 +59,26 @@ impl Sample {
 impl Measures {
     /// What the points cost on a surface, itself included, in nats.
     pub fn cost(&self, surface: &Surface, sample: &Sample) -> f64 {
+        self.errors(surface, sample) + self.price(surface.kind(), sample.count)
+    }
+
+    /// What a surface of a family costs that describes so many points, in nats.
+    pub fn price(&self, kind: SurfaceType, points: usize) -> f64 {
+        let family = if self.weighs_families {
+            of_family(kind)
+        } else {
+            0.0
+        };
+        of_surface(kind, points) + family
+    }
+
+    /// What the errors of the points from a surface cost, in nats.
+    pub fn errors(&self, surface: &Surface, sample: &Sample) -> f64 {
         let points = sample.points.iter();
         let costs = points.map(|p| self.deviation.cost(surface.distance(p)));
         let sum: f64 = costs.map(|cost| cost.min(energy::OUTLIER)).sum();
         let each = sample.count as f64 / sample.points.len().max(1) as f64;
-        each * sum + of_surface(surface.kind(), sample.count)
+        each * sum
     }
 
     /// The surface of the same family that fits points best, those far off it without a say. `None` where
@@ -103,7 +122,7 @@ impl Measures {
             let spare = (fewest - degrees_of_freedom(kind) as f64).max(0.0);
             let each = sample.count as f64 / fewest.max(1.0);
             let least =
-                of_surface(kind, sample.count) + each * 0.5 * spare - (sample.count as f64).sqrt();
+                self.price(kind, sample.count) + each * 0.5 * spare - (sample.count as f64).sqrt();
             if best.is_some_and(|(_, cost)| cost <= least) {
                 continue;
             }
@@ -112,6 +131,27 @@ impl Measures {
             }
         }
         best.map(|it| it.0)
+    }
+
+    /// A surface that shares a direction or an axis with one that is known and describes some points more cheaply than the given
+    /// one; `None` where none does.
+    ///
+    /// What is shared makes a rare family cheap, and a plane bent by points of its neighbours is soon a cone about some axis. So cones
+    /// and tori take the place of others but planes and cylinders only.
+    pub fn shared(&self, known: &Known, sample: &Sample, given: &Surface) -> Option<Surface> {
+        let is_common = |kind| matches!(kind, SurfaceType::Plane | SurfaceType::Cylinder);
+        let mut best = None;
+        let mut least = self.cost(given, sample);
+        for held in known.held(None, &sample.points, self.deviation.noise) {
+            let kind = held.surface.kind();
+            let cost = self.errors(&held.surface, sample) + of_shared(held, sample.count);
+            let may_be = is_common(kind) || !is_common(given.kind());
+            if cost < least && may_be && self.is_plausible(&held.surface) {
+                least = cost;
+                best = Some(held.surface);
+            }
+        }
+        best
     }
 
     /// Keeps a surface, fitted, where it is cheaper than the best.

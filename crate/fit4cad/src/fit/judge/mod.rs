@@ -5,7 +5,8 @@
 //! the sum of what points cost on their surfaces, what borders between surfaces cost, and what each surface
 //! costs for being there. It is lowered by turns (PEaRL; Isack and Boykov 2012): surfaces take over points
 //! (`labelling`), are fitted to those they have, joined where one describes two more cheaply, and proposed
-//! anew among points that are badly explained (`rounds`). What is left becomes faces (`faces`).
+//! anew among points that are badly explained (`rounds`). In the end those that may share a direction or an axis do, which tells
+//! families apart that the points of one face do not. What is left becomes faces (`faces`).
 
 mod energy;
 mod faces;
@@ -98,9 +99,14 @@ pub fn judge(
             step: search.scale.step,
         },
         diameter: search.scale.diameter,
+        weighs_families: true,
+    };
+    let alike = Measures {
+        weighs_families: false,
+        ..measures
     };
     let mut random = Random::new(seed, 1);
-    let mut proposer = Proposer::new(points, &search.tree, graph, measures);
+    let mut proposer = Proposer::new(points, &search.tree, graph, alike);
     let mut labelling = Labelling::empty(points.len(), measures.deviation);
     let mut usable = vec![true; points.len()];
     let mut progress = Progress {
@@ -126,6 +132,7 @@ pub fn judge(
         progress.next(STEP);
     }
     rounds::refit(&mut labelling, &scene, graph, &measures);
+    rounds::share(&mut labelling, &scene, graph, &measures);
     let smallest = SMALLEST.max(Parameters::count(search.parameters.smallest));
     Ok(faces::faces(
         &labelling,

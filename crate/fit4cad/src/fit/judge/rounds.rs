@@ -8,6 +8,7 @@ use super::family::{Measures, Sample};
 use super::labelling::{Labelling, Scene};
 use super::propose::is_enough;
 use crate::cloud::neighbours::Neighbourhoods;
+use crate::fit::relations::Known;
 use crate::surface::Surface;
 
 /// Points that families are compared on, and that a surface is then fitted to.
@@ -69,6 +70,29 @@ pub fn refit(
     labelling.revalue(scene.points);
 }
 
+/// Lets every surface share a direction or an axis with one that has more points, where that describes its own more cheaply.
+pub fn share(
+    labelling: &mut Labelling,
+    scene: &Scene<'_>,
+    graph: &Neighbourhoods,
+    measures: &Measures,
+) {
+    let members = labelling.members();
+    let mut order: Vec<usize> = (0..members.len()).collect();
+    order.retain(|&it| !members[it].is_empty());
+    order.sort_by_key(|&it| std::cmp::Reverse(members[it].len()));
+    let mut known = Known::default();
+    for label in order {
+        let free = labelling.surfaces[label].surface;
+        let inner = inner(labelling, graph, &members[label]);
+        let sample = Sample::of(scene.points, &inner, FITTED[1]);
+        let surface = measures.shared(&known, &sample, &free).unwrap_or(free);
+        labelling.surfaces[label] = Priced::of(surface, members[label].len());
+        known.add(&surface);
+    }
+    labelling.revalue(scene.points);
+}
+
 /// Joins neighbouring surfaces that one describes more cheaply, those with the longest borders first.
 pub fn join(labelling: &mut Labelling, scene: &Scene<'_>, measures: &Measures) {
     let mut members = labelling.members();
@@ -90,13 +114,16 @@ pub fn join(labelling: &mut Labelling, scene: &Scene<'_>, measures: &Measures) {
         let Some(surface) = measures.best(Some(surfaces[larger]), &few) else {
             continue;
         };
-        let cost = |surface: &Surface, points: &[u32]| {
-            measures.cost(surface, &Sample::of(scene.points, points, JOINED))
+        // The same points on both sides: those of a large face stand for ten others each, by chance as off as they are.
+        let samples = [first, second].map(|it| Sample::of(scene.points, &members[it], JOINED));
+        let errors = |surface: &Surface| -> f64 {
+            let each = samples.iter().map(|it| measures.errors(surface, it));
+            each.sum()
         };
-        let apart = cost(&surfaces[0], &members[first])
-            + cost(&surfaces[1], &members[second])
+        let apart = measures.cost(&surfaces[0], &samples[0])
+            + measures.cost(&surfaces[1], &samples[1])
             + energy::BORDER * border as f64;
-        if cost(&surface, &joint) < apart {
+        if errors(&surface) + measures.price(surface.kind(), joint.len()) < apart {
             labelling.surfaces[first] = Priced::of(surface, joint.len());
             for &index in &members[second] {
                 labelling.set(index, pair[0], 0);

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::cloud::{Cloud, Point, Vector};
+use crate::fit::axes::direction_of;
 use crate::fit::{Method, fit};
 use crate::model::Segmentation;
 use crate::surface::{Surface, SurfaceType};
@@ -61,6 +62,32 @@ fn kinds(found: &Segmentation) -> Vec<SurfaceType> {
     let mut kinds: Vec<_> = found.primitives.iter().filter_map(|it| it.kind).collect();
     kinds.sort();
     kinds
+}
+
+#[test]
+fn faces_along_one_direction_share_it() {
+    let (points, _) = noisy_box(0.3);
+    let found = fitted(&points);
+    let mut normals: Vec<Vector> = Vec::new();
+    for primitive in &found.primitives {
+        if let Some(Surface::Plane(plane)) = primitive.surface
+            && !normals.contains(&plane.normal)
+        {
+            normals.push(plane.normal.into_inner());
+        }
+    }
+    assert_eq!(normals.len(), 3, "{normals:?}");
+    let points = noisy_can(0.3);
+    let directions: Vec<_> = fitted(&points)
+        .primitives
+        .iter()
+        .filter_map(|it| it.surface.as_ref().and_then(direction_of))
+        .collect();
+    assert_eq!(directions.len(), 3);
+    assert!(
+        directions.iter().all(|it| *it == directions[0]),
+        "{directions:?}"
+    );
 }
 
 #[test]
@@ -130,6 +157,7 @@ fn every_move_lowers_the_energy_by_what_it_says() {
             step: 0.0,
         },
         diameter: search.scale.diameter,
+        weighs_families: true,
     };
     let mut proposer = Proposer::new(points, &search.tree, &search.graph, measures);
     let mut random = Random::new(2, 0);
