@@ -372,6 +372,8 @@ pub struct RoleInfo {
     pub name: Role,
     /// What such a file holds.
     pub meaning: &'static str,
+    /// Whether models are written in such files.
+    pub written: bool,
 }
 
 /// A kind of file that can be read.
@@ -490,6 +492,7 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
     let roles = format::Role::ALL.map(|role| RoleInfo {
         name: role.into(),
         meaning: role.meaning(),
+        written: role.is_written(),
     });
     let file_kinds = format::FILE_KINDS.map(|kind| FileKindInfo {
         endings: kind.endings,

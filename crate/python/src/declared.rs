@@ -120,6 +120,7 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         "roles" => list!(py; format::Role::ALL, |role| dict!(py;
             "name" => role.name(),
             "meaning" => role.meaning(),
+            "written" => role.is_written(),
         )),
         "fileKinds" => list!(py; format::FILE_KINDS, |kind| dict!(py;
             "endings" => kind.endings,

@@ -93,7 +93,7 @@ pub const FILE_KINDS: [FileKind; 11] = [
         endings: &["seg", "labels", "fidx"],
         title: "Labels",
         meaning: "a whole number a point in the order of the cloud, -1 for none; also PC14_labels.txt, \
-                  PC14_inst.txt and the like; and of any kind a cloud for each primitive, as CloudCompare's \
+                  PC14_inst.txt and the like, and beside them PC14_type.txt, the type of each point; and of any kind a cloud for each primitive, as CloudCompare's \
                   RANSAC saves them, beside their cloud or without: Plane_0001, PC14_CYLINDER_0002_cloud, Leftovers",
         holds: Holds::Segments,
     },

@@ -13,6 +13,7 @@ pub mod group;
 mod labels;
 pub mod limits;
 mod number;
+mod one_a_row;
 mod paths;
 mod pieces;
 mod primitives;
@@ -23,6 +24,7 @@ mod segments;
 mod shrec;
 mod source;
 mod surfaces;
+pub mod types;
 mod window;
 mod write;
 

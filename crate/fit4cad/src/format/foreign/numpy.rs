@@ -12,6 +12,7 @@ use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::Findings;
 use crate::format::labels::NO_LABEL;
 use crate::format::labels::is_label_value;
+use crate::format::types;
 use crate::surface::SurfaceType;
 
 /// Rows by which columns are told.
@@ -78,7 +79,10 @@ pub(super) fn read_archive(
         .filter(|(_, _, labels)| rows.is_none_or(|rows| labels.len() == rows))
         .min_by_key(|(rank, ..)| *rank)
         .map(|(_, name, labels)| (name, labels));
-    let kinds = kinds_of(&arrays);
+    let mut kinds = kinds_of(&arrays);
+    if let (Some((_, labels)), true) = (&labels, kinds.is_empty()) {
+        kinds = kinds_of_points(&arrays, labels, purpose);
+    }
     match (points, labels) {
         (Some((_, array)), labels) => {
             let labels = labels.map(|(_, labels)| labels);
@@ -117,6 +121,30 @@ fn kinds_of(arrays: &[(&str, Array<'_>)]) -> BTreeMap<u32, SurfaceType> {
         Some((number as u32, *kind))
     });
     kinds.collect()
+}
+
+/// The types of segments, where an array of a network's tells the type of each point.
+fn kinds_of_points(
+    arrays: &[(&str, Array<'_>)],
+    labels: &[i32],
+    purpose: Purpose,
+) -> BTreeMap<u32, SurfaceType> {
+    let named = arrays.iter().filter_map(|(name, array)| {
+        let is_one_a_row = array.squeezed() == [labels.len()] && array.names.len() == 1;
+        let named = types::named(name).filter(|_| is_one_a_row)?;
+        Some((named, array))
+    });
+    let best = named.min_by_key(|(named, _)| (named.whose != purpose, named.rank));
+    let Some((named, array)) = best else {
+        return BTreeMap::new();
+    };
+    let numbers: Vec<f64> = (0..labels.len()).map(|row| array.at(row, 0)).collect();
+    let Some(coding) = named.coding_of(numbers.iter().copied()) else {
+        return BTreeMap::new();
+    };
+    let types = types::of_labels(labels, &numbers, coding).into_iter();
+    let known = types.filter_map(|(label, kind)| Some((u32::try_from(label).ok()?, kind?)));
+    known.collect()
 }
 
 /// How well a name says that an array is of the labels wanted; the less the better.

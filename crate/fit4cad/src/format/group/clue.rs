@@ -29,6 +29,8 @@ pub(super) struct Clue<'a> {
     pub(super) is_open: bool,
     /// Where its name says that it holds the points of one primitive: of which model, as far as that is told.
     pub(super) piece: Option<PieceName<'a>>,
+    /// Where nothing but its name says that it holds types: that name without its ending.
+    pub(super) types: Option<&'a str>,
 }
 
 /// What becomes of a path.
@@ -100,6 +102,7 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         });
     };
     let holds = FILE_KINDS.get(kind).map(|kind| kind.holds);
+    let own_stem = stem;
     let piece = PieceName::read(stem)
         .filter(|_| said_role.is_none_or(|role| role == Role::Primitives))
         .filter(|_| holds != Some(Holds::Segments));
@@ -148,6 +151,7 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         kind,
         is_open: said_role.or(role).is_none() && holds == Some(Holds::Either),
         piece,
+        types: Some(own_stem).filter(|_| said_role.is_none() && role == Some(Role::Types)),
     };
     if let Some(said) = said {
         clue.heed(said);
@@ -220,7 +224,10 @@ impl FileName {
         // From the right: the last word that names a role divides the name.
         while let Some(start) = name.get(..end).and_then(|head| head.rfind(['_', '-'])) {
             let word = name.get(start + 1..end).unwrap_or_default();
-            if let Some(role) = role_word(word).filter(|_| start > 0) {
+            // Many a cloud is called `bracket_type_2`.
+            let is_whole = |role: &Role| *role != Role::Types || end == name.len();
+            let role = role_word(word).filter(|_| start > 0);
+            if let Some(role) = role.filter(is_whole) {
                 return Self {
                     stem: name.get(..start).unwrap_or_default().to_owned(),
                     role: Some(role),
@@ -246,6 +253,7 @@ fn role_word(word: &str) -> Option<Role> {
         | "seg" | "segments" | "segmentation" => Some(Role::Primitives),
         "parametric" => Some(Role::Parametric),
         "implicit" => Some(Role::Implicit),
+        "type" | "types" => Some(Role::Types),
         _ => None,
     }
 }
@@ -266,16 +274,15 @@ fn role_folder(name: &str) -> Option<RoleFolder<'_>> {
         });
     }
     const PREFIX: &str = "pointcloud_";
-    let rest = match name.get(..PREFIX.len()) {
-        Some(prefix) if prefix.eq_ignore_ascii_case(PREFIX) => name.get(PREFIX.len()..)?,
-        _ => name,
+    let (rest, is_prefixed) = match name.get(..PREFIX.len()) {
+        Some(prefix) if prefix.eq_ignore_ascii_case(PREFIX) => (name.get(PREFIX.len()..)?, true),
+        _ => (name, false),
     };
     let (word, method) = match rest.split_once('_') {
         Some((word, method)) => (word, Some(method).filter(|method| !method.is_empty())),
         None => (rest, None),
     };
-    Some(RoleFolder {
-        role: role_word(word)?,
-        method,
-    })
+    // A folder `type_2` may hold anything.
+    let role = role_word(word).filter(|role| is_prefixed || *role != Role::Types)?;
+    Some(RoleFolder { role, method })
 }

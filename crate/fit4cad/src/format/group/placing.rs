@@ -4,7 +4,7 @@ use super::Grouping;
 use super::clue::{Clue, names_truth};
 use super::named::{Named, Places, joined};
 use super::pieces::{self, Set};
-use super::settling::{place_of, settle};
+use super::settling::{place_of, settle, settle_types};
 use crate::format::Role;
 use crate::sorting::sort_by;
 
@@ -53,6 +53,7 @@ const NAMELESS: &str = "submission";
 /// Gives each file a place in a model, or a reason why it has none.
 pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Draft<'a>> {
     let mut clues = clues;
+    settle_types(&mut clues);
     let sets = pieces::take(&mut clues, grouping);
     settle(&mut clues);
     let (mut clouds, others): (Vec<_>, Vec<_>) =
@@ -143,13 +144,7 @@ impl<'a> Owner<'a> {
 
 /// The files of one role that are somebody's, as one name.
 fn key(owner: &Owner<'_>, role: Role) -> String {
-    let role = match role {
-        Role::Cloud => "cloud",
-        Role::Primitives => "primitives",
-        Role::Parametric => "parametric",
-        Role::Implicit => "implicit",
-    };
-    joined(&[&owner.key(), role])
+    joined(&[&owner.key(), role.name()])
 }
 
 #[derive(Default)]
@@ -445,7 +440,8 @@ impl<'a> Shelf<'a> {
                 format!("{first} already gives the same for {stem}"),
             );
         }
-        draft.has_truth |= owner == Owner::Truth;
+        // Types alone make no segments.
+        draft.has_truth |= owner == Owner::Truth && clue.role != Role::Types;
         let (role, path) = (clue.role, clue.path);
         draft.files.or_insert(&key, Placed { owner, role, path });
     }

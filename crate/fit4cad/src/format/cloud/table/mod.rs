@@ -12,7 +12,8 @@ use fields::{Dialect, Fields, is_no_number, is_number_like, number_of};
 use super::CloudFile;
 use super::columns::Columns;
 use super::kinds::{
-    BAD_LABEL, BROKEN_ROW, COLUMNS, JUNK, MISCOUNTED, NO_POINTS, OTHER_FILE, TOO_FAR, TOO_MANY,
+    BAD_LABEL, BROKEN_ROW, COLUMNS, JUNK, MISCOUNTED, NO_POINTS, ONE_A_ROW, OTHER_FILE, TOO_FAR,
+    TOO_MANY,
 };
 use crate::cloud::{Cloud, LARGEST, Numbering, Point};
 use crate::diagnostics::Diagnostic;
@@ -20,6 +21,7 @@ use crate::format::findings::{Findings, Kept};
 use crate::format::labels::is_label_value;
 use crate::format::labels::{NO_LABEL, by_label};
 use crate::format::limits::MAX_POINTS;
+use crate::format::one_a_row::is_one_a_row;
 use crate::format::scan::{self, is_line_end, is_remark, is_whitespace};
 use crate::format::window::Window;
 
@@ -41,6 +43,11 @@ pub(in crate::format) fn read(
     from: usize,
     labelled: bool,
 ) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    if window.look_at(window.from(), is_one_a_row)? == Some(true) {
+        let mut findings = Findings::new(file, &[]);
+        findings.add_whole(&ONE_A_ROW, String::new());
+        return Ok((CloudFile::default(), findings.finish()));
+    }
     let mut start = Start::default();
     let first = start.read(window, from)?;
     let begin = window.from() + first as u64;
