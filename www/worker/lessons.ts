@@ -105,7 +105,7 @@ const lessons = {
   },
 
   /** The cloud, and what the last fit found on it, as texts of its four files. */
-  found(): Record<Role, string> {
+  found(): Record<WrittenRole, string> {
     const of = held(model);
     const { primitives, parametric, implicit } = of.write(held(fitted));
     return { cloud: of.cloud(), primitives, parametric, implicit };

@@ -210,7 +210,7 @@ export interface EngineWorker {
   /** Findings as a compiler prints them, a line each. */
   oneLines(diagnostics: readonly Diagnostic[]): Promise<string[]>;
   /** Where the files of a submission lie in the layout of the public test set. */
-  submissionPaths(model: string, method: string): Promise<Readonly<Record<Role, string>>>;
+  submissionPaths(model: string, method: string): Promise<Readonly<Record<WrittenRole, string>>>;
   /** Audits the ground truth: its files, and points, parametric and implicit form against each other. */
   audit(source: ModelSource): Promise<AuditedModel>;
   statistics(source: ModelSource): Promise<ModelStatistics>;
@@ -218,7 +218,7 @@ export interface EngineWorker {
   /** The three files of a submission, as the engine writes them. */
   write(source: ModelSource, method: string): Promise<ModelFile[]>;
   /** The texts of a cloud and of one segmentation of it: that of a method, or the truth. */
-  texts(source: ModelSource, method: string | undefined): Promise<Readonly<Record<Role, string>>>;
+  texts(source: ModelSource, method: string | undefined): Promise<Readonly<Record<WrittenRole, string>>>;
   /** SHA-256 of each in hexadecimal digits; null on a page that came over an unsafe connection. */
   hash(contents: readonly Blob[]): Promise<(string | null)[]>;
   /** Whether two files hold the same names and numbers in the same order, whatever blanks stand between. */

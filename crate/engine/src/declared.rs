@@ -378,6 +378,7 @@ pub struct RoleInfo {
 
 /// A kind of file that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
 pub struct FileKindInfo {
     /// Endings of its names, in lower case, without the dot.
     #[tsify(type = "readonly string[]")]
@@ -386,6 +387,8 @@ pub struct FileKindInfo {
     pub title: &'static str,
     /// What is read from it.
     pub meaning: &'static str,
+    /// Whether a module of its own opens them, and hands on what is in them as files of other kinds.
+    pub opened_apart: bool,
 }
 
 /// What the engine declares.
@@ -498,6 +501,7 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
         endings: kind.endings,
         title: kind.title,
         meaning: kind.meaning,
+        opened_apart: kind.is_opened_apart,
     });
     hand_over(&Declarations {
         measures: metrics::Measure::ALL.map(MeasureInfo::from).to_vec(),

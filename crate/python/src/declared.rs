@@ -126,6 +126,7 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
             "endings" => kind.endings,
             "title" => kind.title,
             "meaning" => kind.meaning,
+            "openedApart" => kind.is_opened_apart,
         )),
         "exports" => list!(py; Export::ALL, |export| dict!(py;
             "name" => export.name(),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::gather::Gather;
 use super::kinds::{BAD_HEADER, CUT_OFF, NO_COORDINATES, PACKED_BADLY, PICKLED};
-use super::npy::{Array, Unread};
+use super::npy::{Array, LONGEST_HEAD, Unread};
 use super::zip;
 use super::{Content, Purpose};
 use crate::diagnostics::Diagnostic;
@@ -13,10 +13,14 @@ use crate::format::findings::Findings;
 use crate::format::labels::NO_LABEL;
 use crate::format::labels::is_label_value;
 use crate::format::types;
+use crate::format::window::Window;
 use crate::surface::SurfaceType;
 
 /// Rows by which columns are told.
 const SAMPLES: usize = 1024;
+
+/// Columns that are looked at, where they have no names.
+const MOST_COLUMNS: usize = 32;
 
 /// Reads one array.
 pub(super) fn read_array(mut findings: Findings<'_>, bytes: &[u8]) -> (Content, Vec<Diagnostic>) {
@@ -221,21 +225,14 @@ fn cloud(
             array.at(row, column)
         }
     };
-    let columns = if array.names.len() > 1 {
-        Columns::named(&array.names)
-    } else {
-        let samples = rows.min(SAMPLES);
-        let rows: Vec<Vec<f64>> = (0..samples)
-            .map(|k| k * rows / samples)
-            .map(|row| {
-                (0..count.min(32))
-                    .map(|column| value(row, column))
-                    .collect()
-            })
-            .collect();
-        Some(Columns::guessed(&rows, false))
-    };
-    let Some(columns) = columns else {
+    let samples = rows.min(SAMPLES);
+    let samples = (0..samples).map(|k| k * rows / samples);
+    let samples = samples.map(|row| {
+        (0..count.min(MOST_COLUMNS))
+            .map(|at| value(row, at))
+            .collect()
+    });
+    let Some(columns) = columns_of(array, samples.collect()) else {
         findings.add_whole(&NO_COORDINATES, String::new());
         return (CloudFile::default(), findings.finish());
     };
@@ -253,6 +250,61 @@ fn cloud(
         gather.push(columns.coordinates.map(|column| value(row, column)), label);
     }
     gather.finish()
+}
+
+/// What the columns of an array hold, by their names or by some of its rows.
+fn columns_of(array: &Array<'_>, samples: Vec<Vec<f64>>) -> Option<Columns> {
+    if array.names.len() > 1 {
+        Columns::named(&array.names)
+    } else {
+        Some(Columns::guessed(&samples, false))
+    }
+}
+
+/// Reads a long array of points, piece by piece; `None` where it is none whose rows lie one after another. Columns one
+/// after another are held, and so are archives, whose arrays lie packed.
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read_rows(
+    findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<Option<(CloudFile, Vec<Diagnostic>)>, String> {
+    window.reach(LONGEST_HEAD)?;
+    let Ok(array) = Array::head(window.bytes(), window.size()) else {
+        return Ok(None);
+    };
+    let (Some((rows, count @ 3.., false)), Some(size)) = (shape(&array), array.row_size()) else {
+        return Ok(None);
+    };
+    let many = rows.min(SAMPLES);
+    let mut samples = Vec::with_capacity(many);
+    for row in (0..many).map(|k| k * rows / many) {
+        let place = (array.start() + row * size) as u64;
+        let sample = window.look_at(place, |bytes, all| {
+            let row = bytes.get(..size);
+            let numbers = row.map(|row| {
+                let columns = 0..count.min(MOST_COLUMNS);
+                columns.map(|column| array.in_row(row, column)).collect()
+            });
+            numbers.or(all.then(Vec::new))
+        })?;
+        samples.extend(sample);
+    }
+    let Some(columns) = columns_of(&array, samples) else {
+        return Ok(None);
+    };
+    let mut gather = Gather::new(findings, rows, columns.label.is_some());
+    gather.tell_columns(&columns);
+    let mut at = array.start();
+    while gather.rows() < rows && gather.has_room() {
+        let Some(row) = window.row(&mut at, size)? else {
+            break;
+        };
+        let value = |column: usize| array.in_row(row, column);
+        gather.push(columns.coordinates.map(value), columns.label.map(value));
+    }
+    Ok(Some(gather.finish()))
 }
 
 /// The labels that an array of one number a point is.
