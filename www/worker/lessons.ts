@@ -19,6 +19,7 @@ import init, {
   type SurfaceSliders,
   type SurfaceType,
 } from "../generated/engine/engine.js";
+import type { WrittenRole } from "../shared/roles.mjs";
 import { stayAlive } from "./alive";
 
 /** Points and what they belong to. */

@@ -35,6 +35,7 @@ import type {
 } from "../generated/engine/engine.js";
 import type { FieldResult } from "../shared/formats/field.mjs";
 import type { Reported, comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
+import type { WrittenRole } from "../shared/roles.mjs";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
