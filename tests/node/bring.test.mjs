@@ -85,9 +85,10 @@ test("types beside labels are kept to, whatever the surface that would fit best,
     "Net/a_inst.txt": LABELS,
     "Net/a_type.txt": types,
   });
-  const { reports: [report], err } = scored(root);
+  const { reports: [report] } = scored(root);
   // The third is a plane to whom nobody says that it is a cylinder.
   assert.deepEqual([report?.method, report?.type_errors], ["Net", 1]);
+  const { err } = fit4cad("score", root);
   assert.match(err, /a_type\.txt: note: Types are read by their numbers \(found 1 plane, 3 cone, 4 cylinder/);
   const named = fit4cad("score", "--json", "--as", `role=types,model=a,method=Net:${join(root, "Net/a_type.txt")}`, root);
   assert.equal(JSON.parse(named.out)[0].type_errors, 1);

@@ -1,9 +1,9 @@
 // The engine as the case studio uses it: one case, made again whenever it changes.
 
 import * as Comlink from "comlink";
-import { ROLES } from "../generated/declared/roles.js";
 import init, { fileName, Model, pathOf, version, type Losses, type PrimitiveInfo, type Texts, type Thin } from "../generated/engine/engine.js";
 import { SAMPLE_OPTIONS } from "../generated/declared/sample-options.js";
+import { WRITTEN } from "../shared/roles.mjs";
 import { stayAlive } from "./alive";
 import { modelOf } from "./input";
 import type { ModelFile } from "./protocol";
@@ -163,7 +163,7 @@ const studio = {
     if (!made) throw new Error("There is no case yet.");
     const name = fileName(wanted);
     const texts: Partial<Texts> = made.info().hasTruth ? made.write() : { cloud: made.cloud() };
-    const files = ROLES.flatMap(({ name: role }): ModelFile[] => {
+    const files = WRITTEN.flatMap((role): ModelFile[] => {
       const text = texts[role];
       return text === undefined ? [] : [{ path: pathOf("beside", name, role), role, data: new Blob([text], { type: "text/plain" }) }];
     });
