@@ -77,12 +77,23 @@ pub(super) fn read_archive(
     let rows = points
         .and_then(|(_, array)| shape(array))
         .map(|(rows, ..)| rows);
-    let labels = arrays
-        .iter()
-        .filter_map(|(name, array)| Some((rank(name, purpose)?, *name, labels_of(array)?)))
-        .filter(|(_, _, labels)| rows.is_none_or(|rows| labels.len() == rows))
-        .min_by_key(|(rank, ..)| *rank)
-        .map(|(_, name, labels)| (name, labels));
+    let fits = |labels: &Vec<i32>| rows.is_none_or(|rows| labels.len() == rows);
+    let named = arrays.iter().filter_map(|(name, array)| {
+        let rank = rank(name, purpose)?;
+        Some((rank, *name, labels_of(array).filter(fits)?))
+    });
+    let named = named.min_by_key(|(rank, ..)| *rank);
+    // Where nobody gave names, the first whole numbers that are one a row are labels.
+    let nameless = || {
+        let mut nameless = arrays.iter().filter(|(name, _)| name.starts_with("arr_"));
+        nameless.find_map(|(name, array)| {
+            let labels = labels_of(array).filter(|_| array.is_whole());
+            Some((*name, labels.filter(fits)?))
+        })
+    };
+    let labels = named
+        .map(|(_, name, labels)| (name, labels))
+        .or_else(nameless);
     let mut kinds = kinds_of(&arrays);
     if let (Some((_, labels)), true) = (&labels, kinds.is_empty()) {
         kinds = kinds_of_points(&arrays, labels, purpose);
