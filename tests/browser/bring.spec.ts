@@ -44,10 +44,10 @@ test("rows, PLY and labels find each other, are scored, and say that their surfa
 test("types of points beside labels are a file of their own role, and kept to", async ({ page }) => {
   await open(page);
   await dropFiles(page, "typed", [
-    { path: "typed/a.xyz", text: rows(" ") },
-    { path: "typed/a_inst.txt", text: LABELS },
-    { path: "typed/Net/a_inst.txt", text: LABELS },
-    { path: "typed/Net/a_type.txt", text: LABELS.replaceAll("0", "1").replaceAll("2", "4") },
+    { path: "a.xyz", text: rows(" ") },
+    { path: "a_inst.txt", text: LABELS },
+    { path: "Net/a_inst.txt", text: LABELS },
+    { path: "Net/a_type.txt", text: LABELS.replaceAll("0", "1").replaceAll("2", "4") },
   ]);
   await expect(page.locator(".models > ul li")).toContainText("a");
   await page.getByRole("tab", { name: "Files" }).click();
