@@ -90,8 +90,14 @@ fn vertex(line: &[u8]) -> Option<&[u8]> {
 const TRIANGLE: usize = 50;
 const STL_HEAD: usize = 84;
 
-/// What a triangle takes in text, about. Of a closed surface there are twice as many triangles as vertices.
+/// What a triangle takes in text, about.
 const TRIANGLE_OF_TEXT: u64 = 250;
+
+/// Vertices of so many triangles: of a closed surface half as many, and two more for each shell (Euler). Room for
+/// a few more is left, as too little would be made twice as large.
+fn vertices_of(triangles: u64) -> usize {
+    usize::try_from(triangles / 2 + triangles / 16 + 16).unwrap_or(usize::MAX)
+}
 
 /// How many triangles a binary STL says it has, where its length says so too, or nearly.
 fn triangles(bytes: &[u8]) -> Option<usize> {
@@ -131,8 +137,8 @@ pub(super) fn read_stl(
 ) -> Result<(CloudFile, Vec<Diagnostic>), String> {
     window.reach(1 << 12)?;
     if !is_binary_stl(window.bytes(), window.size()) && is_text_stl(window.bytes()) {
-        let triangles = usize::try_from(window.size() / TRIANGLE_OF_TEXT).unwrap_or(usize::MAX);
-        let mut vertices = Distinct::new(Gather::new(findings, triangles / 2, false));
+        let room = vertices_of(window.size() / TRIANGLE_OF_TEXT);
+        let mut vertices = Distinct::new(Gather::new(findings, room, false));
         window.each_line(0, |line| {
             let line = line.trim_ascii_start();
             match line.split_at_checked(6) {
@@ -153,8 +159,8 @@ pub(super) fn read_stl(
     if said > there {
         findings.add_whole(&CUT_OFF, format!("{there} triangles of {said}"));
     }
-    let triangles = usize::try_from(said.min(there)).unwrap_or(usize::MAX);
-    let mut vertices = Distinct::new(Gather::new(findings, triangles / 2, false));
+    let room = vertices_of(said.min(there));
+    let mut vertices = Distinct::new(Gather::new(findings, room, false));
     let mut at = STL_HEAD;
     for _ in 0..said {
         let Some(triangle) = window.row(&mut at, TRIANGLE)? else {
