@@ -8,6 +8,7 @@ import { comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf }
 import { EXPORT_COLOURS } from "../shared/palette.mjs";
 import { stayAlive } from "./alive";
 import { modelOf } from "./input";
+import { cloudKey } from "./same-cloud";
 import { sameWords } from "./same-words";
 import type {
   EngineWorker,
@@ -277,7 +278,7 @@ const worker: EngineWorker = {
     const truth = model.info().hasTruth ? segmentation(model) : undefined;
     const prediction = method === undefined ? undefined : segmentation(model, method);
     const rival = rivalMethod === undefined ? undefined : { method: rivalMethod, segmentation: segmentation(model, rivalMethod) };
-    return Comlink.transfer({ key: source.key, method, positions, centre, numbers, truth, prediction, rival }, [
+    return Comlink.transfer({ key: source.key, cloud: cloudKey(positions), method, positions, centre, numbers, truth, prediction, rival }, [
       positions.buffer,
       centre.buffer,
       ...(numbers ? [numbers.buffer] : []),

@@ -107,6 +107,8 @@ export interface SegmentationScene {
 /** A model ready to be looked at. */
 export interface ModelScene {
   readonly key: string;
+  /** Equal for equal coordinates: a model is opened anew for each submission. */
+  readonly cloud: string;
   readonly method: string | undefined;
   /** `xyz` per point, relative to `centre`. */
   readonly positions: Float32Array<ArrayBuffer>;

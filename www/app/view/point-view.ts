@@ -24,6 +24,13 @@ import {
 /** How far from the cursor a point may lie and still be meant, in pixels of the page. */
 const REACH = 6;
 
+/** Points brought into the order in which they are drawn before the clock is looked at again. */
+const PIECE = 30_000;
+/** So long at a time, in milliseconds: who scrolls or types meanwhile must not notice. */
+const WORK_MS = 10;
+/** While points are coming, a picture is drawn anew when there are so many times more of them. */
+const WORTH_DRAWING = 4;
+
 /** The renderer's code is fetched once, whoever asks first. */
 let loading: Promise<unknown> | undefined;
 
@@ -47,6 +54,10 @@ export class PointView {
   private readonly picks: PickQueue;
   private hovered = "";
   private stale = true;
+  /** Whether points, or what is said of them, are still being brought into order. */
+  private growing = false;
+  /** Of how many points the last picture was, since they were given. */
+  private grown = 0;
   /** Frames anew what was framed last, until the reader or the page moves the camera otherwise. */
   private frameAgain: (() => void) | undefined;
 
@@ -120,22 +131,25 @@ export class PointView {
     }
   }
 
-  // What is seen.
+  // What is seen. Of a cloud of millions a part is seen first: what is given per point is worked up a little in every frame.
 
   /** Replaces the points: x y z each, relative to the cloud's centre. Forgets all that was said of the points before. */
   setCloud(positions: Float32Array): void {
-    this.change((view) => view.set_cloud(positions));
+    this.give((view) => view.set_cloud(positions));
   }
 
   /** Unit normals, x y z per point. */
   setNormals(normals: Float32Array): void {
-    this.change((view) => view.set_normals(normals));
+    const { grown } = this;
+    this.give((view) => view.set_normals(normals));
+    // The points are seen without them meanwhile.
+    this.grown = grown;
   }
 
   /** A label per point. Labels also say what is hidden where colours come from elsewhere. */
   setLabels(side: Side, labels: Uint32Array | Uint16Array): void {
     const wide = labels instanceof Uint32Array ? labels : Uint32Array.from(labels);
-    this.change((view) => view.set_labels(side, wide));
+    this.give((view) => view.set_labels(side, wide));
   }
 
   /** Colours of the labels, r g b each (see `palette.ts`). */
@@ -150,7 +164,7 @@ export class PointView {
 
   /** A number per point; NaN where there is none. */
   setScalars(side: Side, scalars: Float32Array): void {
-    this.change((view) => view.set_scalars(side, scalars));
+    this.give((view) => view.set_scalars(side, scalars));
   }
 
   /** Colours from the low to the high end of the scalars. */
@@ -264,6 +278,13 @@ export class PointView {
     const framed = Uint32Array.from(labels);
     this.change((view) => view.fit_labels(side, framed, this.animated(animated)));
     this.frameAgain = () => this.view.fit_labels(side, framed, false);
+  }
+
+  /** Frames the part of space between two corners. */
+  fitBox({ low, high }: ClipBox, animated = true): void {
+    const corners = Float32Array.of(...low, ...high);
+    this.change((view) => view.fit_box(corners, this.animated(animated)));
+    this.frameAgain = () => this.view.fit_box(corners, false);
   }
 
   /** Turns the cloud about the axes of the screen, in radians: to the right, downwards, counter-clockwise. */
@@ -397,6 +418,25 @@ export class PointView {
     return result;
   }
 
+  /** Gives the view something per point. */
+  private give(act: (view: View) => void): void {
+    act(this.view);
+    this.growing = true;
+    this.grown = 0;
+    this.schedule();
+  }
+
+  /** Brings more points into order, and has them drawn where they are worth it. */
+  private grow(): void {
+    const start = performance.now();
+    do this.growing = this.view.proceed(PIECE);
+    while (this.growing && performance.now() - start < WORK_MS);
+    const ready = this.view.ready();
+    if (this.growing && (ready === 0 || ready < WORTH_DRAWING * this.grown)) return;
+    this.grown = ready;
+    this.stale = true;
+  }
+
   private schedule(): void {
     if (this.request === 0 && !this.stop.signal.aborted) {
       this.asked = performance.now();
@@ -408,11 +448,13 @@ export class PointView {
     this.request = 0;
     if (!this.usable) return;
     this.picks.proceed();
-    if (this.stale) {
+    if (this.growing) this.grow();
+    // Before the first point is there, what was seen last stays.
+    if (this.stale && !(this.growing && this.view.ready() === 0)) {
       this.stale = this.view.draw(now, performance.now() - this.asked);
       if (!this.stale) this.tellCamera();
     }
-    if (this.stale || this.picks.busy) this.schedule();
+    if (this.stale || this.growing || this.picks.busy) this.schedule();
   }
 
   private tellCamera(): void {
