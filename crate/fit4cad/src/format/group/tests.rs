@@ -135,7 +135,7 @@ fn a_file_without_a_cloud_says_what_it_was_taken_for() {
         "mine/lab_parametric.txt",
         "PC5-labels-HT.txt",
         "readme.txt",
-        "seg/b_primitives.txt",
+        "pointCloud_primitives/b_primitives.txt",
     ];
     let grouping = group(&paths, &BTreeMap::new());
     let told: Vec<String> = grouping
@@ -155,8 +155,8 @@ fn a_file_without_a_cloud_says_what_it_was_taken_for() {
         [
             "mine/lab_parametric.txt: Parametric of lab by mine",
             "PC5-labels-HT.txt: Primitives of PC5 by HT",
+            "pointCloud_primitives/b_primitives.txt: Primitives of b by submission",
             "readme.txt",
-            "seg/b_primitives.txt: Primitives of b by seg",
         ]
     );
 }
