@@ -10,6 +10,7 @@ import { stayAlive } from "./alive";
 import { modelOf } from "./input";
 import { cloudKey } from "./same-cloud";
 import { sameWords } from "./same-words";
+import { usualDistance } from "./usual";
 import type {
   EngineWorker,
   FittedModel,
@@ -82,12 +83,14 @@ async function wholly({ name, files }: ModelSource, onRead?: OnRead): Promise<{ 
 
 function segmentation(model: Model, method?: string): SegmentationScene {
   const { offsets, indices } = model.members(method);
+  const distances = model.distances(method) as Float32Array<ArrayBuffer>;
   return {
     primitives: model.primitives(method),
     offsets: offsets as Uint32Array<ArrayBuffer>,
     indices: indices as Uint32Array<ArrayBuffer>,
-    distances: model.distances(method) as Float32Array<ArrayBuffer>,
+    distances,
     farthest: model.farthest(method),
+    usual: usualDistance(distances),
   };
 }
 

@@ -102,6 +102,8 @@ export interface SegmentationScene {
   readonly distances: Float32Array<ArrayBuffer>;
   /** The largest of them; 0 where there is none. */
   readonly farthest: number;
+  /** The one within which most of them lie. */
+  readonly usual: number;
 }
 
 /** A model ready to be looked at. */

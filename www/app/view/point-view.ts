@@ -447,8 +447,9 @@ export class PointView {
   private step(now: number): void {
     this.request = 0;
     if (!this.usable) return;
-    this.picks.proceed();
     if (this.growing) this.grow();
+    // What is under the cursor is looked for among all points.
+    else this.picks.proceed();
     // Before the first point is there, what was seen last stays.
     if (this.stale && !(this.growing && this.view.ready() === 0)) {
       this.stale = this.view.draw(now, performance.now() - this.asked);
