@@ -2,6 +2,7 @@
 
 import init, { View, type Lasso } from "../../generated/view/view.js";
 import { Gestures } from "./gestures";
+import { Growth } from "./growth";
 import { bytes, rgb, SEQUENTIAL } from "./palette";
 import { PickQueue } from "./pick-queue";
 import {
@@ -23,13 +24,6 @@ import {
 
 /** How far from the cursor a point may lie and still be meant, in pixels of the page. */
 const REACH = 6;
-
-/** Points brought into the order in which they are drawn before the clock is looked at again. */
-const PIECE = 30_000;
-/** So long at a time, in milliseconds: who scrolls or types meanwhile must not notice. */
-const WORK_MS = 10;
-/** While points are coming, a picture is drawn anew when there are so many times more of them. */
-const WORTH_DRAWING = 4;
 
 /** The renderer's code is fetched once, whoever asks first. */
 let loading: Promise<unknown> | undefined;
@@ -54,10 +48,7 @@ export class PointView {
   private readonly picks: PickQueue;
   private hovered = "";
   private stale = true;
-  /** Whether points, or what is said of them, are still being brought into order. */
-  private growing = false;
-  /** Of how many points the last picture was, since they were given. */
-  private grown = 0;
+  private readonly growth: Growth;
   /** Frames anew what was framed last, until the reader or the page moves the camera otherwise. */
   private frameAgain: (() => void) | undefined;
 
@@ -94,6 +85,7 @@ export class PointView {
     this.canvas = canvas;
     this.view = view;
     this.picks = new PickQueue(view);
+    this.growth = new Growth(view);
     this.gestures = new Gestures(this);
     this.sizes = new ResizeObserver((entries) => this.measure(entries.at(-1)));
     this.sizes.observe(canvas);
@@ -140,10 +132,8 @@ export class PointView {
 
   /** Unit normals, x y z per point. */
   setNormals(normals: Float32Array): void {
-    const { grown } = this;
-    this.give((view) => view.set_normals(normals));
     // The points are seen without them meanwhile.
-    this.grown = grown;
+    this.give((view) => view.set_normals(normals), this.growth.pictured);
   }
 
   /** A label per point. Labels also say what is hidden where colours come from elsewhere. */
@@ -418,23 +408,11 @@ export class PointView {
     return result;
   }
 
-  /** Gives the view something per point. */
-  private give(act: (view: View) => void): void {
+  /** Gives the view something per point, of which as many as are told can be seen before it is worked up. */
+  private give(act: (view: View) => void, pictured = 0): void {
     act(this.view);
-    this.growing = true;
-    this.grown = 0;
+    this.growth.begin(pictured);
     this.schedule();
-  }
-
-  /** Brings more points into order, and has them drawn where they are worth it. */
-  private grow(): void {
-    const start = performance.now();
-    do this.growing = this.view.proceed(PIECE);
-    while (this.growing && performance.now() - start < WORK_MS);
-    const ready = this.view.ready();
-    if (this.growing && (ready === 0 || ready < WORTH_DRAWING * this.grown)) return;
-    this.grown = ready;
-    this.stale = true;
   }
 
   private schedule(): void {
@@ -447,15 +425,15 @@ export class PointView {
   private step(now: number): void {
     this.request = 0;
     if (!this.usable) return;
-    if (this.growing) this.grow();
     // What is under the cursor is looked for among all points.
-    else this.picks.proceed();
+    if (!this.growth.busy) this.picks.proceed();
+    else if (this.growth.proceed()) this.stale = true;
     // Before the first point is there, what was seen last stays.
-    if (this.stale && !(this.growing && this.view.ready() === 0)) {
+    if (this.stale && !(this.growth.busy && this.view.ready() === 0)) {
       this.stale = this.view.draw(now, performance.now() - this.asked);
       if (!this.stale) this.tellCamera();
     }
-    if (this.stale || this.growing || this.picks.busy) this.schedule();
+    if (this.stale || this.growth.busy || this.picks.busy) this.schedule();
   }
 
   private tellCamera(): void {

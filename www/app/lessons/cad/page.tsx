@@ -63,6 +63,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     if (!drawn || !model) return;
     const { camera } = drawn;
     drawn.setCloud(model.positions);
+    drawn.setNormals(model.normals);
     if (framed.current === drawn) drawn.setCamera(camera);
     else {
       drawn.lookFrom(Standpoint.Isometric, false);
