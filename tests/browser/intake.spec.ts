@@ -131,16 +131,16 @@ test("a zip that is none, one that is empty and an empty folder are named with t
     await page.getByLabel("Choose files or zips").setInputFiles({ name, mimeType: "application/zip", buffer });
   };
   await choose("nothing.zip", zipOf([]));
-  await expect(page.getByText("nothing.zip: The zip holds no file.")).toBeVisible();
+  await expect(page.getByText("nothing.zip: There is no file in it.")).toBeVisible();
   const folder = test.info().outputPath("hollow");
   await mkdir(folder, { recursive: true });
   await drop(page, [folder]);
-  await expect(page.getByText("hollow: The folder holds no file.")).toBeVisible();
+  await expect(page.getByText("hollow: There is no file in it.")).toBeVisible();
   await choose("broken.zip", Buffer.from("not a zip"));
   const panel = page.getByRole("tabpanel");
   await page.getByRole("tab", { name: /Diagnostics/ }).click();
   await expect(panel.getByText("The zip could not be opened")).toBeVisible();
-  await expect(panel.getByText("The zip holds no file")).toBeVisible();
+  await expect(panel.getByText("There is no file in it")).toBeVisible();
   // The sample is still there to be looked at.
   await page.getByRole("tab", { name: "Measures" }).click();
   await expect(rows(page)).toHaveCount(1);

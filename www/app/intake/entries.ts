@@ -24,7 +24,7 @@ async function gather(entries: (FileSystemEntry | File)[]): Promise<Gathered> {
     else {
       const before = gathered.files.length + gathered.refused.length;
       await walk(entry, gathered);
-      if (gathered.files.length + gathered.refused.length === before) gathered.refused.push({ path: entry.name, reason: "The folder holds no file." });
+      if (gathered.files.length + gathered.refused.length === before) gathered.refused.push({ path: entry.name, reason: "There is no file in it." });
     }
   }
   return gathered;
