@@ -26,6 +26,8 @@ import { stayAlive } from "./alive";
 export interface LessonModel {
   /** x y z per point, relative to the cloud's centre. */
   readonly positions: Float32Array;
+  /** Unit normals, as the points around each tell them: by these the view draws the points as a surface. */
+  readonly normals: Float32Array;
   readonly lists: PrimitiveLists;
 }
 
@@ -71,7 +73,7 @@ function listsOf(of: Model, method?: string): PrimitiveLists {
 }
 
 function shown(of: Model): LessonModel {
-  return { positions: of.positions(), lists: listsOf(of) };
+  return { positions: of.positions(), normals: of.normals(), lists: listsOf(of) };
 }
 
 const lessons = {

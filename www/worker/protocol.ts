@@ -103,11 +103,15 @@ export interface SegmentationScene {
   readonly distances: Float32Array<ArrayBuffer>;
   /** The largest of them; 0 where there is none. */
   readonly farthest: number;
+  /** The one within which most of them lie. */
+  readonly usual: number;
 }
 
 /** A model ready to be looked at. */
 export interface ModelScene {
   readonly key: string;
+  /** Equal for equal coordinates: a model is opened anew for each submission. */
+  readonly cloud: string;
   readonly method: string | undefined;
   /** `xyz` per point, relative to `centre`. */
   readonly positions: Float32Array<ArrayBuffer>;

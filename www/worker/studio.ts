@@ -152,6 +152,12 @@ const studio = {
     return Comlink.transfer({ positions, centre, diagonal, truth, thin, cuts: losses }, buffers);
   },
 
+  /** Unit normals of the points of the case made last, as the points around each tell them. */
+  normals(): Float32Array {
+    const normals = made?.normals() ?? new Float32Array();
+    return Comlink.transfer(normals, [normals.buffer]);
+  },
+
   /** The points of the case made last that a ball would cut away. */
   pointsInBall(centre: Vector, radius: number): Uint32Array {
     const inside = made?.pointsInBall(Float64Array.from(centre), radius) ?? new Uint32Array();

@@ -35,7 +35,9 @@ pub use assemble::{Named, assemble};
 pub use cloud::{CloudFile, read_cloud};
 pub use contents::{read_cloud_by_pieces, read_foreign_cloud_by_pieces};
 pub use files::{FILE_KINDS, FileKind, Holds};
-pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
+pub use group::{
+    Grouping, ModelFiles, Override, PlacedFile, Recognised, Unplaced, group, model_number,
+};
 pub use labels::{Segment, by_label};
 pub use paths::{Layout, file_name, path_of};
 pub use primitives::{PointList, read_primitives};

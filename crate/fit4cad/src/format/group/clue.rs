@@ -1,9 +1,12 @@
 //! What the path of one file says about it.
 
-use super::Override;
+use super::{Override, Recognised};
 use crate::format::Role;
 use crate::format::files::{self, FILE_KINDS, Holds};
 use crate::format::pieces::PieceName;
+
+/// Name of a method whose files give it none.
+pub(super) const NAMELESS: &str = "submission";
 
 /// What is known of a file from its path, or from what the caller said about it.
 #[derive(Debug, Clone)]
@@ -163,6 +166,17 @@ impl Clue<'_> {
     /// The folders that hold its set, as one path.
     pub(super) fn home(&self) -> String {
         self.base.join("/")
+    }
+
+    /// What it is, as far as it alone tells: the method is that of its name, else its folder.
+    pub(super) fn recognised(&self) -> Recognised {
+        let folder = self.base.last().copied();
+        let method = self.method.as_deref().or(folder);
+        Recognised {
+            role: self.role,
+            model: self.stem.clone(),
+            method: method.unwrap_or(NAMELESS).to_owned(),
+        }
     }
 
     fn heed(&mut self, said: &Override) {

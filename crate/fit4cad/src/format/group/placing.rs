@@ -1,7 +1,7 @@
 //! Finding each file its model and its method.
 
 use super::Grouping;
-use super::clue::{Clue, names_truth};
+use super::clue::{Clue, NAMELESS, names_truth};
 use super::named::{Named, Places, joined};
 use super::pieces::{self, Set};
 use super::settling::{place_of, settle, settle_types};
@@ -47,9 +47,6 @@ const MAX_NAMESAKES: usize = 256;
 /// Most clouds that are named where it is unclear to which a file belongs.
 const MOST_NAMED: usize = 3;
 
-/// Name of a method whose files give it none.
-const NAMELESS: &str = "submission";
-
 /// Gives each file a place in a model, or a reason why it has none.
 pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Draft<'a>> {
     let mut clues = clues;
@@ -79,7 +76,7 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
         match shelf.find(&mut clue) {
             Ok(model) if shelf.is_home(model, &clue) => at_home.push((model, clue)),
             Ok(model) => strangers.push((model, clue)),
-            Err(reason) => grouping.reject(clue.path, reason),
+            Err(reason) => grouping.reject_clue(&clue, reason),
         }
     }
     // Truth beside its cloud comes before what may be a copy of it.
@@ -435,10 +432,8 @@ impl<'a> Shelf<'a> {
         let file = draft.files.get(&key).map(|file| file.path);
         if let Some(first) = file.or(pieces.copied()) {
             let stem = &draft.cloud.stem;
-            return grouping.reject(
-                clue.path,
-                format!("{first} already gives the same for {stem}"),
-            );
+            return grouping
+                .reject_clue(clue, format!("{first} already gives the same for {stem}"));
         }
         // Types alone make no segments.
         draft.has_truth |= owner == Owner::Truth && clue.role != Role::Types;

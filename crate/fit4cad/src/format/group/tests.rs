@@ -170,6 +170,40 @@ fn a_name_with_separators_of_its_own_is_divided_where_a_model_is_left() {
 }
 
 #[test]
+fn a_file_without_a_cloud_says_what_it_was_taken_for() {
+    let paths = [
+        "a.txt",
+        "a_primitives.txt",
+        "mine/lab_parametric.txt",
+        "PC5-labels-HT.txt",
+        "readme.txt",
+        "pointCloud_primitives/b_primitives.txt",
+    ];
+    let grouping = group(&paths, &BTreeMap::new());
+    let told: Vec<String> = grouping
+        .unplaced
+        .iter()
+        .map(|file| match &file.recognised {
+            Some(Recognised {
+                role,
+                model,
+                method,
+            }) => format!("{}: {role:?} of {model} by {method}", file.path),
+            None => file.path.clone(),
+        })
+        .collect();
+    assert_eq!(
+        told,
+        [
+            "mine/lab_parametric.txt: Parametric of lab by mine",
+            "PC5-labels-HT.txt: Primitives of PC5 by HT",
+            "pointCloud_primitives/b_primitives.txt: Primitives of b by submission",
+            "readme.txt",
+        ]
+    );
+}
+
+#[test]
 fn of_many_clouds_that_a_file_may_belong_to_only_some_are_named() {
     let clouds = (1..=200).map(|set| format!("{set}/PC1.txt"));
     let paths: Vec<String> = clouds.chain(["x/PC1_primitives.txt".to_owned()]).collect();
