@@ -29,6 +29,21 @@ const panel = (id) => async (/** @type {Page} */ page) => {
   await scored(page);
   await page.locator(`#tab-${id}`).click();
 };
+/** @param {string} what */
+const coloured = (what) => async (/** @type {Page} */ page) => {
+  await scored(page);
+  await page.getByRole("combobox", { name: "Colour" }).selectOption(what);
+};
+/** @param {string} id @param {string} button */
+const pressed = (id, button) => async (/** @type {Page} */ page) => {
+  await panel(id)(page);
+  await page.getByRole("tabpanel").getByText(button, { exact: true }).click();
+};
+/** @param {Page} page */
+const fitted = async (page) => {
+  await pressed("fit", "Fit bracket")(page);
+  await page.locator(".answer").waitFor({ timeout: 60_000 });
+};
 /** @param {string} key */
 const key = (key) => async (/** @type {Page} */ page) => {
   await scored(page);
@@ -48,6 +63,10 @@ const STATES = {
   ...Object.fromEntries(
     ["primitives", "overlooked", "charts", "fit", "diagnostics", "audit", "comparison", "field", "section", "files"].map((id) => [id, { at: "", act: panel(id) }]),
   ),
+  fitted: { at: "", act: fitted },
+  tree: { at: "", act: pressed("primitives", "By type") },
+  cut: { at: "", act: pressed("section", "Cut across z") },
+  ...Object.fromEntries(["figure", "distance", "type", "normal"].map((what) => [`by-${what}`, { at: "", act: coloured(what) }])),
   results: { at: "?page=results" },
   lessons: { at: "?page=lessons" },
   ...Object.fromEntries(

@@ -2,7 +2,7 @@
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join, relative } from "node:path";
-import { strToU8, zipSync } from "fflate";
+import { strFromU8, strToU8, zipSync } from "fflate";
 import { ROOT, benchmarkFiles } from "./paths.mjs";
 
 /** The folder `test_sample` of the public files as the bytes of a zip, or undefined. */
@@ -65,6 +65,21 @@ export function partFiles(engine, part, name, options = {}) {
     [`pointCloud_primitives_${method}/${name}_primitives.txt`]: strToU8(found.primitives),
     [`pointCloud_parametric_${method}/${name}_parametric.txt`]: strToU8(found.parametric),
   };
+}
+
+/**
+ * The files with the cloud several times over, the others beside the first: those points are in no primitive.
+ * @param {Readonly<Record<string, Uint8Array>>} files
+ * @param {number} copies
+ */
+export function sideBySide(files, copies) {
+  const path = Object.keys(files).find((name) => name.startsWith("pointCloud/")) ?? "";
+  const [head = "", ...rows] = strFromU8(files[path] ?? new Uint8Array()).split("\n");
+  const points = rows.filter((row) => row.startsWith("["));
+  const all = Array.from({ length: copies }, (_, at) =>
+    points.map((row) => row.replace(/^\[([^,]+)/, (_row, x) => `[${Number(x) + 2 * at}`)).join("\n"),
+  );
+  return { ...files, [path]: strToU8([head, ...all, " ];", ""].join("\n")) };
 }
 
 /** The name of the model in the path of one of its files. */

@@ -41,6 +41,21 @@ test("rows, PLY and labels find each other, are scored, and say that their surfa
   expect(table).toContain("0,Plane,196,");
 });
 
+test("types of points beside labels are a file of their own role, and kept to", async ({ page }) => {
+  await open(page);
+  await dropFiles(page, "typed", [
+    { path: "a.xyz", text: rows(" ") },
+    { path: "a_inst.txt", text: LABELS },
+    { path: "Net/a_inst.txt", text: LABELS },
+    { path: "Net/a_type.txt", text: LABELS.replaceAll("0", "1").replaceAll("2", "4") },
+  ]);
+  await expect(page.locator(".models > ul li")).toContainText("a");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(page.getByLabel("What typed/Net/a_type.txt is")).toHaveValue("types");
+  await page.getByRole("tab", { name: /Diagnostics/ }).click();
+  await expect(page.locator(".diagnostics")).toContainText("as ParseNet and HPNet number them");
+});
+
 test("a folder of clouds as CloudCompare's RANSAC saves them is the result of a method", async ({ page }) => {
   await open(page);
   const single = (face: number) =>

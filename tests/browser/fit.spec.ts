@@ -1,4 +1,5 @@
 import { join } from "node:path";
+import AxeBuilder from "@axe-core/playwright";
 import type { Locator, Page } from "@playwright/test";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { filesOf, scoreOfFit } from "./support/engine";
@@ -134,17 +135,37 @@ test("a fit is cancelled at any moment and the model is as it was", async ({ pag
   expect(await measuresIn(row(page, "PC1"))).toEqual(before);
 });
 
-test("a cloud without ground truth is fitted: segmentation and primitives are shown, no scores", async ({ page }) => {
+test("a noisy cloud without ground truth is fitted: the panel leads there and ends in an answer, no scores", async ({ page }) => {
   await open(page);
   const folder = test.info().outputPath("alone");
-  await writeAll(folder, filesOf("bracket", "PC5").filter(({ path }) => path === "pointCloud/PC5.txt"));
+  const noisy = filesOf("bracket", "PC5", { noise: 0.002, outliers: 0.02 });
+  await writeAll(folder, noisy.filter(({ path }) => path === "pointCloud/PC5.txt"));
   await drop(page, [join(folder, "pointCloud/PC5.txt")]);
   await expect(page.locator(".models > ul li")).toContainText("points only");
-  const panel = await openFit(page);
+  const ways = page.getByRole("region", { name: "What can be done" });
+  await expect(ways).toContainText("1 model has points only.");
+  expect((await new AxeBuilder({ page }).include(".panels").analyze()).violations).toEqual([]);
+  await ways.getByRole("button", { name: "Find the primitives" }).click();
+  const panel = page.getByRole("tabpanel");
   await panel.getByRole("button", { name: "Fit PC5", exact: true }).click();
   await expect(fits(page)).toContainText("no truth", FITTED);
   await expect(page.locator(".canvas-state")).toHaveCount(0, FITTED);
   expect((await contentOf(page, page.locator(".canvas-box canvas"), RIGHT)).hues).toBeGreaterThan(3);
+
+  const answer = panel.getByRole("region", { name: "What HT found in PC5" });
+  await expect(answer).toContainText(/\d primitives in PC5/);
+  await expect(answer).toContainText(/[\d.]+ in units of the file, 0\.\d % of the diagonal, measured\./);
+  await expect(answer).toContainText(/standard error/);
+  await expect(answer).toContainText(/\d points \([\d.]+ %\): on no surface that was found/);
+  await expect(answer).toContainText("Where the noise of the scanner is known, give it under Noise.");
+  expect((await new AxeBuilder({ page }).include(".panels").analyze()).violations).toEqual([]);
+  await picture(page, "fit-answer");
+  const all = (await contentOf(page, page.locator(".canvas-box canvas"), RIGHT)).hues;
+  await answer.getByRole("button", { name: "Show only these" }).click();
+  await expect.poll(async () => (await contentOf(page, page.locator(".canvas-box canvas"), RIGHT)).hues).toBeLessThan(2);
+  await page.keyboard.press("Escape");
+  await expect.poll(async () => (await contentOf(page, page.locator(".canvas-box canvas"), RIGHT)).hues).toBe(all);
+
   await page.getByRole("tab", { name: "Primitives" }).click();
   const found = page.locator("table.primitives tbody tr");
   await expect(found.first()).toContainText(/Plane|Cylinder/);

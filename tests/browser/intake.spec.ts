@@ -1,9 +1,9 @@
-import { readFile } from "node:fs/promises";
+import { mkdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { zipSync } from "fflate";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
-import { dragging, drop, writeAll } from "./support/drop";
+import { dragging, drop, writeAll, zipOf } from "./support/drop";
 
 const SECOND = "_primitives_";
 
@@ -124,13 +124,26 @@ test("a chosen folder and a chosen zip arrive whole", async ({ page }) => {
   await expect(rows(page)).toHaveCount(2);
 });
 
-test("a zip that is none is named with the reason", async ({ page }) => {
+test("a zip that is none, one that is empty and an empty folder are named with the reason", async ({ page }) => {
   await open(page);
-  await page.getByRole("button", { name: "Add data" }).click();
-  const broken = { name: "broken.zip", mimeType: "application/zip", buffer: Buffer.from("not a zip") };
-  await page.getByLabel("Choose files or zips").setInputFiles(broken);
+  const choose = async (name: string, buffer: Buffer) => {
+    await page.getByRole("button", { name: "Add data" }).click();
+    await page.getByLabel("Choose files or zips").setInputFiles({ name, mimeType: "application/zip", buffer });
+  };
+  await choose("nothing.zip", zipOf([]));
+  await expect(page.getByText("nothing.zip: There is no file in it.")).toBeVisible();
+  const folder = test.info().outputPath("hollow");
+  await mkdir(folder, { recursive: true });
+  await drop(page, [folder]);
+  await expect(page.getByText("hollow: There is no file in it.")).toBeVisible();
+  await choose("broken.zip", Buffer.from("not a zip"));
+  const panel = page.getByRole("tabpanel");
   await page.getByRole("tab", { name: /Diagnostics/ }).click();
-  await expect(page.getByText("The zip could not be opened")).toBeVisible();
+  await expect(panel.getByText("The zip could not be opened")).toBeVisible();
+  await expect(panel.getByText("There is no file in it")).toBeVisible();
+  // The sample is still there to be looked at.
+  await page.getByRole("tab", { name: "Measures" }).click();
+  await expect(rows(page)).toHaveCount(1);
 });
 
 test("a broken entry is reported with its place and the rest is scored", async ({ page }) => {

@@ -162,9 +162,10 @@ test("what was brought and fitted is there again after a reload, and gone once i
   await page.getByRole("tab", { name: "Files" }).click();
   await expect(page.getByText(/Kept in this browser until you remove it: [1-9]/)).toBeVisible();
 
-  // Another tab beside it has no part in that.
+  // Another tab beside it has no part in that, and says so before anything is done there.
   const other = await context.newPage();
   await open(other);
+  await expect(other.locator(".notice")).toContainText("Another tab of this page keeps its work");
   await expect(other.locator(".stage h2")).toHaveText("bracket");
   await other.close();
 

@@ -126,7 +126,7 @@ test("a case is composed, worn, cut, undone, sent, saved and scored", async ({ p
   expect(Object.keys(saved).sort()).toEqual(["case.txt", "case_implicit.txt", "case_parametric.txt", "case_primitives.txt", "fit4cad.json"]);
 
   // On the scoring page it is a model like any other.
-  await press(page, "Score and fit it");
+  await press(page, "Open it under Score");
   await expect(page.getByRole("heading", { name: "case", exact: true })).toBeVisible({ timeout: SLOW });
   await expect(page.getByRole("tab", { name: "Fit" })).toHaveAttribute("aria-selected", "true");
   await expect(page.locator(".stage-title")).toContainText(`${halved.points.toLocaleString("en")} points`);

@@ -452,11 +452,40 @@ test("without WebGL 2 the reason is told as a value", async ({ stage }) => {
   expect(reason).toBe("no-webgl2");
 });
 
+test("of a million points a part is seen first, then all, and whoever asks is told of all", async ({ stage }) => {
+  const { total, drawn, found } = await stage.evaluate(async () => {
+    const drawn: number[] = [];
+    const draw = WebGL2RenderingContext.prototype.drawArrays;
+    WebGL2RenderingContext.prototype.drawArrays = function (mode, first, count) {
+      if (mode === this.POINTS) drawn.push(count);
+      draw.call(this, mode, first, count);
+    };
+    const { view, block } = window.harness;
+    const { positions, labels } = block(410);
+    const total = labels.length;
+    const give = () => {
+      view.setCloud(positions);
+      for (const side of [0, 1] as const) view.setLabels(side, labels);
+    };
+    give();
+    while (drawn.at(-1) !== total) await new Promise((next) => requestAnimationFrame(next));
+    give();
+    const found = view.pointsIn(0, { kind: "circle", x: 205, y: 260, radius: 1000 }, false).length;
+    return { total, drawn: drawn.slice(0, -1), found };
+  });
+  expect(drawn[0]).toBeGreaterThan(0);
+  expect(drawn[0]).toBeLessThan(total / 2);
+  expect(found).toBe(total);
+  expect(await count(stage, RED, 0, 0.5)).toBeGreaterThan(3000);
+});
+
 test("framing a label brings it to the middle and close", async ({ stage }) => {
   const before = await camera(stage);
   await stage.evaluate(() => window.harness.view.fitLabels(0, [2]));
   await expect.poll(async () => (await camera(stage)).target[0]).toBeCloseTo(1, 3);
   expect((await camera(stage)).height).toBeLessThan(before.height);
+  await stage.evaluate(() => window.harness.view.fitBox({ low: [-1, -0.7, -0.5], high: [-1, 0.7, 0.5] }, false));
+  expect((await camera(stage)).target[0]).toBeCloseTo(-1, 3);
 });
 
 test("a new size of the canvas keeps the picture sharp and whole", async ({ stage }) => {

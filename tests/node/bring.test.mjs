@@ -77,6 +77,27 @@ test("labels are truth and submission in every form, and surfaces are fitted to 
   assert.deepEqual(notes.map((/** @type {any} */ { severity, found: what }) => [severity, what]), [["note", "3 segments"], ["note", "3 segments"]]);
 });
 
+test("types beside labels are kept to, whatever the surface that would fit best, and told where they are of nothing", (t) => {
+  const types = ROWS.map(({ face }) => `${[1, 1, 4][face]}\n`).join("");
+  const root = folder(t, {
+    "a.xyz": rows(" "),
+    "a_inst.txt": LABELS,
+    "Net/a_inst.txt": LABELS,
+    "Net/a_type.txt": types,
+  });
+  const { reports: [report] } = scored(root);
+  // The third is a plane to whom nobody says that it is a cylinder.
+  assert.deepEqual([report?.method, report?.type_errors], ["Net", 1]);
+  const { err } = fit4cad("score", root);
+  assert.match(err, /a_type\.txt: note: Types are read by their numbers \(found 1 plane, 3 cone, 4 cylinder/);
+  const named = fit4cad("score", "--json", "--as", `role=types,model=a,method=Net:${join(root, "Net/a_type.txt")}`, root);
+  assert.equal(JSON.parse(named.out)[0].type_errors, 1);
+
+  const lone = folder(t, { "b_type.txt": types });
+  const { err: told } = fit4cad("stats", lone);
+  assert.match(told, /b_type\.txt: error: This is not a cloud but a number, or a name, for each point of one/);
+});
+
 test("clouds of single primitives, as CloudCompare saves them, are segments of the cloud beside them, or the cloud", (t) => {
   const single = (/** @type {number} */ face, /** @type {number} */ moved = 0) =>
     ROWS.filter((row) => row.face === face).map(({ point }) => `${point.map((value) => Math.fround(value + moved).toFixed(8)).join(" ")}\n`).join("");

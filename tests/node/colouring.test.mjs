@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { pageModule } from "./page.mjs";
 
-const { labelling } = await pageModule("stage/colouring.ts");
+const { distanceScale, labelling } = await pageModule("stage/colouring.ts");
 
 /**
  * A segmentation of lists of points, with the distance of every listed point.
@@ -34,6 +34,7 @@ function shown(order, extra = []) {
   const primitives = TRUTH.map((_, truth) => ({ truth: truth + 1, match: order.includes(truth) ? order.indexOf(truth) + 1 : null }));
   return {
     scene: {
+      cloud: "",
       positions: new Float32Array(3 * POINTS),
       truth: segmentation(TRUTH, TRUTH.map((list, place) => list.map(() => place))),
       prediction: segmentation([...order.map((truth) => TRUTH[truth]), ...extra], [...order.map((truth) => TRUTH[truth].map(() => truth)), ...extra]),
@@ -60,4 +61,16 @@ test("a prediction without a match does not cover one that has a match", () => {
   const all = shown([1, 0], [[0, 1, 2, 3, 5]]);
   const { labels } = labelling("segments", "prediction", all);
   assert.deepEqual(Array.from(labels), [2, 2, 2, 1, 1, 3, 0, 0, 0, 2]);
+});
+
+test("a scale of distances ends where most points lie, on the side where they lie farthest", async () => {
+  const { usualDistance } = await pageModule("../worker/usual.ts");
+  const far = Float32Array.from({ length: 101 }, (_, at) => (at < 98 ? at / 100 : 50));
+  assert.equal(usualDistance(far).toFixed(2), "0.95");
+  assert.equal(usualDistance(Float32Array.of(NaN, NaN)), 0);
+  assert.equal(usualDistance(Float32Array.of(NaN, 3)), 3);
+  const side = (/** @type {number} */ usual, /** @type {number} */ farthest) => ({ usual, farthest });
+  assert.deepEqual(distanceScale({ truth: side(0, 0.1), prediction: side(0.4, 50), rival: undefined }), { end: 0.4, more: true });
+  assert.deepEqual(distanceScale({ truth: side(0, 0.1), prediction: undefined, rival: undefined }), { end: 0.1, more: false });
+  assert.deepEqual(distanceScale({ truth: undefined, prediction: undefined, rival: undefined }), { end: 1, more: false });
 });

@@ -65,7 +65,7 @@ test("CSV has one column per file and keeps what looks like a formula a text", (
     assert.ok(row.includes(`"'${start}1,2"`), JSON.stringify(row));
     const columns = head.split(",");
     assert.equal(columns[columns.indexOf("engine") + 1], "cloud_sha256");
-    assert.ok(row.endsWith(",0.1.0,aa,bb,,,cc,,"));
+    assert.ok(row.endsWith(",0.1.0,aa,bb,,,,cc,,,"));
   }
 });
 

@@ -2,12 +2,17 @@
 // What page and command line share of HDF5, which a wasm module of its own opens: files of networks that fit
 // primitives, each of one model or of many.
 
+import { FILE_KINDS } from "../generated/declared/file-kinds.js";
+
+const ENDINGS = FILE_KINDS.flatMap(({ endings, openedApart }) => (openedApart ? endings.map((ending) => `.${ending}`) : []));
+
 /**
  * Whether a file is called as HDF5 files are.
  * @param {string} path
  */
 export function isArrayFile(path) {
-  return /\.(?:h5|hdf5)$/i.test(path);
+  const name = path.toLowerCase();
+  return ENDINGS.some((ending) => name.endsWith(ending));
 }
 
 /** @typedef {{ path: string, message: string }} Note about a file, of "it" */

@@ -8,7 +8,9 @@ import { comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf }
 import { EXPORT_COLOURS } from "../shared/palette.mjs";
 import { stayAlive } from "./alive";
 import { modelOf } from "./input";
+import { cloudKey } from "./same-cloud";
 import { sameWords } from "./same-words";
+import { usualDistance } from "./usual";
 import type {
   EngineWorker,
   FittedModel,
@@ -81,12 +83,14 @@ async function wholly({ name, files }: ModelSource, onRead?: OnRead): Promise<{ 
 
 function segmentation(model: Model, method?: string): SegmentationScene {
   const { offsets, indices } = model.members(method);
+  const distances = model.distances(method) as Float32Array<ArrayBuffer>;
   return {
     primitives: model.primitives(method),
     offsets: offsets as Uint32Array<ArrayBuffer>,
     indices: indices as Uint32Array<ArrayBuffer>,
-    distances: model.distances(method) as Float32Array<ArrayBuffer>,
+    distances,
     farthest: model.farthest(method),
+    usual: usualDistance(distances),
   };
 }
 
@@ -277,7 +281,7 @@ const worker: EngineWorker = {
     const truth = model.info().hasTruth ? segmentation(model) : undefined;
     const prediction = method === undefined ? undefined : segmentation(model, method);
     const rival = rivalMethod === undefined ? undefined : { method: rivalMethod, segmentation: segmentation(model, rivalMethod) };
-    return Comlink.transfer({ key: source.key, method, positions, centre, numbers, truth, prediction, rival }, [
+    return Comlink.transfer({ key: source.key, cloud: cloudKey(positions), method, positions, centre, numbers, truth, prediction, rival }, [
       positions.buffer,
       centre.buffer,
       ...(numbers ? [numbers.buffer] : []),

@@ -19,12 +19,15 @@ import init, {
   type SurfaceSliders,
   type SurfaceType,
 } from "../generated/engine/engine.js";
+import type { WrittenRole } from "../shared/roles.mjs";
 import { stayAlive } from "./alive";
 
 /** Points and what they belong to. */
 export interface LessonModel {
   /** x y z per point, relative to the cloud's centre. */
   readonly positions: Float32Array;
+  /** Unit normals, as the points around each tell them: by these the view draws the points as a surface. */
+  readonly normals: Float32Array;
   readonly lists: PrimitiveLists;
 }
 
@@ -70,7 +73,7 @@ function listsOf(of: Model, method?: string): PrimitiveLists {
 }
 
 function shown(of: Model): LessonModel {
-  return { positions: of.positions(), lists: listsOf(of) };
+  return { positions: of.positions(), normals: of.normals(), lists: listsOf(of) };
 }
 
 const lessons = {
@@ -105,7 +108,7 @@ const lessons = {
   },
 
   /** The cloud, and what the last fit found on it, as texts of its four files. */
-  found(): Record<Role, string> {
+  found(): Record<WrittenRole, string> {
     const of = held(model);
     const { primitives, parametric, implicit } = of.write(held(fitted));
     return { cloud: of.cloud(), primitives, parametric, implicit };

@@ -35,6 +35,7 @@ import type {
 } from "../generated/engine/engine.js";
 import type { FieldResult } from "../shared/formats/field.mjs";
 import type { Reported, comparisonsOf, recognitionOf, spreadsByCondition, spreadsOf, strataOf } from "../shared/formats/field-sums.mjs";
+import type { WrittenRole } from "../shared/roles.mjs";
 
 /** A file of a model with the part it plays. The content stays a `Blob`: handing it over copies nothing. */
 export interface ModelFile {
@@ -102,11 +103,15 @@ export interface SegmentationScene {
   readonly distances: Float32Array<ArrayBuffer>;
   /** The largest of them; 0 where there is none. */
   readonly farthest: number;
+  /** The one within which most of them lie. */
+  readonly usual: number;
 }
 
 /** A model ready to be looked at. */
 export interface ModelScene {
   readonly key: string;
+  /** Equal for equal coordinates: a model is opened anew for each submission. */
+  readonly cloud: string;
   readonly method: string | undefined;
   /** `xyz` per point, relative to `centre`. */
   readonly positions: Float32Array<ArrayBuffer>;
@@ -210,7 +215,7 @@ export interface EngineWorker {
   /** Findings as a compiler prints them, a line each. */
   oneLines(diagnostics: readonly Diagnostic[]): Promise<string[]>;
   /** Where the files of a submission lie in the layout of the public test set. */
-  submissionPaths(model: string, method: string): Promise<Readonly<Record<Role, string>>>;
+  submissionPaths(model: string, method: string): Promise<Readonly<Record<WrittenRole, string>>>;
   /** Audits the ground truth: its files, and points, parametric and implicit form against each other. */
   audit(source: ModelSource): Promise<AuditedModel>;
   statistics(source: ModelSource): Promise<ModelStatistics>;
@@ -218,7 +223,7 @@ export interface EngineWorker {
   /** The three files of a submission, as the engine writes them. */
   write(source: ModelSource, method: string): Promise<ModelFile[]>;
   /** The texts of a cloud and of one segmentation of it: that of a method, or the truth. */
-  texts(source: ModelSource, method: string | undefined): Promise<Readonly<Record<Role, string>>>;
+  texts(source: ModelSource, method: string | undefined): Promise<Readonly<Record<WrittenRole, string>>>;
   /** SHA-256 of each in hexadecimal digits; null on a page that came over an unsafe connection. */
   hash(contents: readonly Blob[]): Promise<(string | null)[]>;
   /** Whether two files hold the same names and numbers in the same order, whatever blanks stand between. */

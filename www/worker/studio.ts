@@ -1,9 +1,9 @@
 // The engine as the case studio uses it: one case, made again whenever it changes.
 
 import * as Comlink from "comlink";
-import { ROLES } from "../generated/declared/roles.js";
 import init, { fileName, Model, pathOf, version, type Losses, type PrimitiveInfo, type Texts, type Thin } from "../generated/engine/engine.js";
 import { SAMPLE_OPTIONS } from "../generated/declared/sample-options.js";
+import { WRITTEN } from "../shared/roles.mjs";
 import { stayAlive } from "./alive";
 import { modelOf } from "./input";
 import type { ModelFile } from "./protocol";
@@ -152,6 +152,12 @@ const studio = {
     return Comlink.transfer({ positions, centre, diagonal, truth, thin, cuts: losses }, buffers);
   },
 
+  /** Unit normals of the points of the case made last, as the points around each tell them. */
+  normals(): Float32Array {
+    const normals = made?.normals() ?? new Float32Array();
+    return Comlink.transfer(normals, [normals.buffer]);
+  },
+
   /** The points of the case made last that a ball would cut away. */
   pointsInBall(centre: Vector, radius: number): Uint32Array {
     const inside = made?.pointsInBall(Float64Array.from(centre), radius) ?? new Uint32Array();
@@ -163,7 +169,7 @@ const studio = {
     if (!made) throw new Error("There is no case yet.");
     const name = fileName(wanted);
     const texts: Partial<Texts> = made.info().hasTruth ? made.write() : { cloud: made.cloud() };
-    const files = ROLES.flatMap(({ name: role }): ModelFile[] => {
+    const files = WRITTEN.flatMap((role): ModelFile[] => {
       const text = texts[role];
       return text === undefined ? [] : [{ path: pathOf("beside", name, role), role, data: new Blob([text], { type: "text/plain" }) }];
     });

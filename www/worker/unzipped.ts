@@ -16,6 +16,7 @@ export function unzipped(path: string, source: Source): Unzipped {
   try {
     const { entries, problems } = listZip(source, HELD);
     for (const problem of problems) refuse(`${path}/${problem.path}`, problem.message);
+    if (entries.length + problems.length === 0) refuse(path, "there is no file in it");
     for (const entry of entries) {
       try {
         found.files.push({ path: `${path}/${entry.path}`, data: blobOf(entry) });

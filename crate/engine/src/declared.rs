@@ -372,10 +372,13 @@ pub struct RoleInfo {
     pub name: Role,
     /// What such a file holds.
     pub meaning: &'static str,
+    /// Whether models are written in such files.
+    pub written: bool,
 }
 
 /// A kind of file that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
 pub struct FileKindInfo {
     /// Endings of its names, in lower case, without the dot.
     #[tsify(type = "readonly string[]")]
@@ -384,6 +387,8 @@ pub struct FileKindInfo {
     pub title: &'static str,
     /// What is read from it.
     pub meaning: &'static str,
+    /// Whether a module of its own opens them, and hands on what is in them as files of other kinds.
+    pub opened_apart: bool,
 }
 
 /// What the engine declares.
@@ -490,11 +495,13 @@ pub fn declarations() -> Result<Ts<Declarations>, JsError> {
     let roles = format::Role::ALL.map(|role| RoleInfo {
         name: role.into(),
         meaning: role.meaning(),
+        written: role.is_written(),
     });
     let file_kinds = format::FILE_KINDS.map(|kind| FileKindInfo {
         endings: kind.endings,
         title: kind.title,
         meaning: kind.meaning,
+        opened_apart: kind.is_opened_apart,
     });
     hand_over(&Declarations {
         measures: metrics::Measure::ALL.map(MeasureInfo::from).to_vec(),

@@ -74,6 +74,21 @@ pub struct Unplaced {
     pub path: String,
     /// Why it has none, and what would give it one.
     pub reason: String,
+    /// What its name and folder say it is, where they say that it holds segments or surfaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[tsify(optional)]
+    pub recognised: Option<Recognised>,
+}
+
+/// What a file that has no place was taken for.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Tsify)]
+pub struct Recognised {
+    /// What it holds.
+    pub role: Role,
+    /// The name of the cloud it asks for.
+    pub model: String,
+    /// Whose result it would be.
+    pub method: String,
 }
 
 /// Files sorted into models.
@@ -142,6 +157,17 @@ impl From<format::Unplaced> for Unplaced {
         Self {
             path: file.path,
             reason: file.reason,
+            recognised: file.recognised.map(Recognised::from),
+        }
+    }
+}
+
+impl From<format::Recognised> for Recognised {
+    fn from(recognised: format::Recognised) -> Self {
+        Self {
+            role: recognised.role.into(),
+            model: recognised.model,
+            method: recognised.method,
         }
     }
 }

@@ -20,6 +20,8 @@ pub enum Role {
     Parametric,
     /// `PCi_implicit.txt`: their surfaces in implicit form.
     Implicit,
+    /// `PCi_type.txt`: the type of each point.
+    Types,
 }
 
 impl From<Role> for format::Role {
@@ -29,6 +31,7 @@ impl From<Role> for format::Role {
             Role::Primitives => Self::Primitives,
             Role::Parametric => Self::Parametric,
             Role::Implicit => Self::Implicit,
+            Role::Types => Self::Types,
         }
     }
 }
@@ -40,6 +43,7 @@ impl From<format::Role> for Role {
             format::Role::Primitives => Self::Primitives,
             format::Role::Parametric => Self::Parametric,
             format::Role::Implicit => Self::Implicit,
+            format::Role::Types => Self::Types,
         }
     }
 }

@@ -77,7 +77,9 @@ pub use export::ExportInfo;
 pub use field::{FieldReport, FieldRow, FigureScale, FigureSpread, Figures, distribution};
 #[cfg(feature = "workshop")]
 pub use fit::{FitMethod, FitParameters};
-pub use group::{Grouping, ModelFiles, Override, Overrides, PlacedFile, Unplaced, group};
+pub use group::{
+    Grouping, ModelFiles, Override, Overrides, PlacedFile, Recognised, Unplaced, group,
+};
 pub use input::{InputFile, Role};
 #[cfg(feature = "workshop")]
 pub use lesson::forms::{FormComparison, Forms, SurfaceSliders};

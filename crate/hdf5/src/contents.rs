@@ -1,12 +1,12 @@
 //! The arrays of one group: which are points, labels and types, of one model or of many.
 
-use std::collections::BTreeMap;
-
 use fit4cad::export::Arrays;
+use fit4cad::format::foreign::Purpose;
+use fit4cad::format::types::{self, Told};
 use hdf5_reader::error::Error;
 use hdf5_reader::{Dataset, SliceInfo, SliceInfoElem};
 
-use crate::names::{Coding, Whose, is_found, rank_of_labels, rank_of_points, types_named};
+use crate::names::{is_found, rank_of_labels, rank_of_points};
 use crate::number::{Number, is_numeric, is_single, is_whole};
 
 /// Most numbers to a point: coordinates, normals, colours and the like.
@@ -34,7 +34,7 @@ pub(crate) struct Contents {
 /// Labels, and the types that go with them.
 struct Labels {
     values: Dataset,
-    types: Option<(Dataset, Coding)>,
+    types: Option<(Dataset, types::Named)>,
 }
 
 /// One thing that a model has.
@@ -65,14 +65,14 @@ impl Contents {
             shape_of_points(array.shape())?;
             rank_of_points(array.name())
         });
-        let labels = |whose: Whose| {
+        let labels = |whose: Purpose| {
             best(&|array| {
                 let name = array.name();
                 let (of, rank) = rank_of_labels(name, points.is_some())?;
                 (of == whose).then_some(rank)
             })
         };
-        let (mut truth, mut prediction) = (labels(Whose::Truth), labels(Whose::Prediction));
+        let (mut truth, mut prediction) = (labels(Purpose::Truth), labels(Purpose::Submission));
         // Of labels that may be either, those beside others of the truth are predicted.
         if points.is_some()
             && prediction.is_none()
@@ -88,23 +88,23 @@ impl Contents {
         let fits = |array: &Dataset| column_of(array.shape(), models, rows).is_some();
         truth = truth.filter(fits);
         prediction = prediction.filter(fits);
-        let types = |whose: Whose| {
+        let types = |whose: Purpose| {
             let named = arrays.iter().filter_map(|array| {
-                let (of, rank, coding) = types_named(array.name())?;
-                (of == whose).then_some((rank, array, coding))
+                let named = types::named(array.name())?;
+                (named.whose == whose).then_some((named, array))
             });
-            let first = named.min_by_key(|(rank, ..)| *rank);
-            first.map(|(_, array, coding)| (array.clone(), coding))
+            let first = named.min_by_key(|(named, _)| named.rank);
+            first.map(|(named, array)| (array.clone(), named))
         };
         let is_only = prediction.is_none();
-        let with_types = |values: Dataset, whose: Whose| {
+        let with_types = |values: Dataset, whose: Purpose| {
             // What is named as a prediction's goes with the only labels that there are.
-            let other = || types(Whose::Prediction).filter(|_| is_only);
+            let other = || types(Purpose::Submission).filter(|_| is_only);
             let types = types(whose).or_else(other);
             Labels { values, types }
         };
-        let truth = truth.map(|values| with_types(values, Whose::Truth));
-        let prediction = prediction.map(|values| with_types(values, Whose::Prediction));
+        let truth = truth.map(|values| with_types(values, Purpose::Truth));
+        let prediction = prediction.map(|values| with_types(values, Purpose::Submission));
         let has_noisy = points.as_ref().is_some_and(|points| {
             let noisy = |array: &Dataset| array.name().eq_ignore_ascii_case("noisy_points");
             !noisy(points) && arrays.iter().any(noisy)
@@ -161,7 +161,7 @@ impl Contents {
         let values = column(&labels.values, model)?;
         arrays.labels = chosen(&values, rows).map(label).collect();
         arrays.types = match &labels.types {
-            Some((types, coding)) => typed(&arrays.labels, &column(types, model)?, *coding),
+            Some((types, named)) => typed(&arrays.labels, &column(types, model)?, named),
             None => Vec::new(),
         };
         Ok(arrays)
@@ -245,46 +245,22 @@ fn label(value: f64) -> i32 {
 }
 
 /// The type of each label: what most of its points are, or where there is one for each label, that.
-fn typed(
-    labels: &[i32],
-    types: &[f64],
-    coding: Coding,
-) -> Vec<(i32, Option<fit4cad::surface::SurfaceType>)> {
+fn typed(labels: &[i32], numbers: &[f64], named: &types::Named) -> Vec<(i32, Told)> {
     let rows = labels.len();
-    let mut counts: BTreeMap<i32, BTreeMap<usize, usize>> = BTreeMap::new();
-    let mut add = |label: i32, number: f64| {
-        if label >= 0 {
-            // Whatever it is called, what is no whole number is none of the types.
-            let number = if number >= 0.0 {
-                number as usize
-            } else {
-                usize::MAX
-            };
-            *counts.entry(label).or_default().entry(number).or_default() += 1;
-        }
-    };
-    if types.len() >= rows && rows > 0 {
-        for (&label, number) in labels.iter().zip(chosen(types, rows)) {
-            add(label, number);
-        }
+    let by_point: Vec<f64> = if numbers.len() >= rows && rows > 0 {
+        chosen(numbers, rows).collect()
     } else {
-        for &label in labels {
+        let of_label = |&label: &i32| {
             let place = usize::try_from(label).ok();
-            if let Some(&number) = place.and_then(|place| types.get(place)) {
-                add(label, number);
-            }
-        }
-    }
-    let counts = counts.into_iter();
-    counts
-        .map(|(label, numbers)| {
-            let most = numbers
-                .into_iter()
-                .max_by_key(|&(number, count)| (count, std::cmp::Reverse(number)));
-            (
-                label,
-                most.and_then(|(number, _)| coding.kind(number as f64)),
-            )
-        })
-        .collect()
+            place.and_then(|place| numbers.get(place).copied())
+        };
+        labels
+            .iter()
+            .map(|label| of_label(label).unwrap_or(-1.0))
+            .collect()
+    };
+    let Some(coding) = named.coding_of(by_point.iter().copied()) else {
+        return Vec::new();
+    };
+    types::of_labels(labels, &by_point, coding)
 }

@@ -1,5 +1,6 @@
 //! A file that was opened: which models are in it, under which paths, and each when it is asked for.
 
+use fit4cad::format::Role;
 use fit4cad::format::group::role_in_name;
 use hdf5_reader::Hdf5File;
 use hdf5_reader::group::Group;
@@ -178,7 +179,7 @@ fn path_of(path: &str, model: Option<&str>, part: Part, with_cloud: bool) -> Str
         Part::Cloud => "",
         // Beside the truth, of a method of that name.
         Part::Labels if with_cloud => "_labels_predicted",
-        Part::Labels if role_in_name(named).is_some() => "",
+        Part::Labels if role_in_name(named) == Some(Role::Primitives) => "",
         Part::Labels => "_labels",
     };
     format!("{stem}{word}{ending}")

@@ -120,11 +120,13 @@ pub(crate) fn declarations(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         "roles" => list!(py; format::Role::ALL, |role| dict!(py;
             "name" => role.name(),
             "meaning" => role.meaning(),
+            "written" => role.is_written(),
         )),
         "fileKinds" => list!(py; format::FILE_KINDS, |kind| dict!(py;
             "endings" => kind.endings,
             "title" => kind.title,
             "meaning" => kind.meaning,
+            "openedApart" => kind.is_opened_apart,
         )),
         "exports" => list!(py; Export::ALL, |export| dict!(py;
             "name" => export.name(),

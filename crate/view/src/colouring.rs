@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::cloud::Cloud;
+use crate::cloud::{Arranged, Cloud};
 
 /// What a label's points look like. A faded, hidden or locked point is not found by the cursor.
 #[wasm_bindgen]
@@ -57,14 +57,15 @@ pub enum ColourBy {
     Normal,
 }
 
-/// Everything that colours the points of one side. Values are in the cloud's shuffled order;
-/// the counters tell the graphics side what has changed since it last looked.
-#[derive(Debug, Default)]
+/// Everything that colours the points of one side. Values are on their way into the
+/// cloud's shuffled order; the counters tell the graphics side what has changed since it last looked.
+#[derive(Debug)]
 pub struct Colouring {
     /// What gives the colour.
     pub by: ColourBy,
-    labels: Revised<Vec<u32>>,
-    scalars: Revised<Vec<f32>>,
+    labels: Revised<Arranged<u32, u32>>,
+    largest: u32,
+    scalars: Revised<Arranged<f32, f32>>,
     table: Revised<Vec<[u8; 4]>>,
     map: Revised<Vec<[u8; 4]>>,
 }
@@ -77,6 +78,11 @@ pub struct Revised<T> {
 }
 
 impl<T> Revised<T> {
+    /// A value that has not been set yet.
+    pub fn new(value: T) -> Self {
+        Self { value, revision: 0 }
+    }
+
     /// The value.
     pub fn get(&self) -> &T {
         &self.value
@@ -92,6 +98,11 @@ impl<T> Revised<T> {
         self.change(|held| *held = value);
     }
 
+    /// Brings it nearer to what it was set to; it stays the same value.
+    pub fn proceed(&mut self, act: impl FnOnce(&mut T)) {
+        act(&mut self.value);
+    }
+
     /// Changes it in place.
     pub fn change(&mut self, act: impl FnOnce(&mut T)) {
         act(&mut self.value);
@@ -99,26 +110,71 @@ impl<T> Revised<T> {
     }
 }
 
+impl Default for Colouring {
+    fn default() -> Self {
+        Self {
+            by: ColourBy::default(),
+            labels: Revised::new(labels_of(Vec::new())),
+            largest: 0,
+            scalars: Revised::new(Arranged::none(scalar)),
+            table: Revised::default(),
+            map: Revised::default(),
+        }
+    }
+}
+
+/// A point that is given no label has label 0.
+fn labels_of(labels: Vec<u32>) -> Arranged<u32, u32> {
+    Arranged::of(labels, 1, |label| label.first().copied().unwrap_or(0))
+}
+
+fn scalar(given: &[f32]) -> f32 {
+    given.first().copied().unwrap_or(f32::NAN)
+}
+
 impl Colouring {
     /// Colour of labels that the table does not know.
     const UNKNOWN: [u8; 3] = [128, 128, 128];
 
     /// Forgets the values of the points that were there before; the table stays.
-    pub fn clear(&mut self, cloud: &Cloud) {
+    pub fn clear(&mut self) {
         self.by = ColourBy::Label;
-        self.labels.set(vec![0; cloud.len()]);
-        self.scalars.set(Vec::new());
+        self.set_labels(Vec::new());
+        self.scalars.set(Arranged::none(scalar));
     }
 
     /// Sets the label of each point, in the order the points were given.
-    pub fn set_labels(&mut self, cloud: &Cloud, labels: &[u32]) {
-        self.labels.set(cloud.arrange(labels, 0));
+    pub fn set_labels(&mut self, labels: Vec<u32>) {
+        self.largest = labels.iter().copied().max().unwrap_or(0);
+        self.labels.set(labels_of(labels));
     }
 
     /// Sets the scalar of each point, in the order the points were given. Points without a number
     /// (NaN) take the colour of label 0.
-    pub fn set_scalars(&mut self, cloud: &Cloud, scalars: &[f32]) {
-        self.scalars.set(cloud.arrange(scalars, f32::NAN));
+    pub fn set_scalars(&mut self, scalars: Vec<f32>) {
+        self.scalars.set(Arranged::of(scalars, 1, scalar));
+    }
+
+    /// Brings labels and scalars of as many more points into the cloud's order.
+    pub fn proceed(&mut self, cloud: &Cloud, points: usize) {
+        self.labels.proceed(|labels| labels.proceed(cloud, points));
+        self.scalars
+            .proceed(|scalars| scalars.proceed(cloud, points));
+    }
+
+    /// How many points have all that they are drawn by.
+    pub fn ready(&self) -> usize {
+        let labels = self.labels.get().values().len();
+        let scalars = self.scalars.get();
+        match self.by {
+            ColourBy::Scalar { .. } if scalars.is_wanted() => labels.min(scalars.values().len()),
+            _ => labels,
+        }
+    }
+
+    /// Whether all values are in order.
+    pub fn is_ready(&self, cloud: &Cloud) -> bool {
+        self.labels.get().is_ready(cloud) && self.scalars.get().is_ready(cloud)
     }
 
     /// Sets the colours (r g b per label) and keeps the states of the labels there were.
@@ -162,13 +218,18 @@ impl Colouring {
             .set(colours.iter().map(|&[r, g, b]| [r, g, b, 255]).collect());
     }
 
-    /// Labels, shuffled.
-    pub fn labels(&self) -> &Revised<Vec<u32>> {
+    /// Labels.
+    pub fn labels(&self) -> &Revised<Arranged<u32, u32>> {
         &self.labels
     }
 
-    /// Scalars, shuffled; empty when there are none.
-    pub fn scalars(&self) -> &Revised<Vec<f32>> {
+    /// The largest label.
+    pub fn largest(&self) -> u32 {
+        self.largest
+    }
+
+    /// Scalars.
+    pub fn scalars(&self) -> &Revised<Arranged<f32, f32>> {
         &self.scalars
     }
 
@@ -225,11 +286,31 @@ mod tests {
     }
 
     #[test]
+    fn points_are_drawn_once_they_have_what_gives_their_colour() {
+        let mut cloud = Cloud::new(vec![0.0; 300]);
+        let mut colouring = Colouring::default();
+        colouring.set_scalars(vec![1.0; 100]);
+        cloud.proceed(usize::MAX);
+        colouring.proceed(&cloud, 60);
+        colouring.set_labels(vec![1; 100]);
+        colouring.proceed(&cloud, 40);
+        assert_eq!(colouring.ready(), 40);
+        assert!(!colouring.is_ready(&cloud));
+        colouring.by = ColourBy::Scalar {
+            low: 0.0,
+            high: 1.0,
+        };
+        colouring.set_scalars(vec![1.0; 100]);
+        assert_eq!(colouring.ready(), 0);
+        colouring.proceed(&cloud, usize::MAX);
+        assert_eq!((colouring.ready(), colouring.is_ready(&cloud)), (100, true));
+    }
+
+    #[test]
     fn every_change_is_counted() {
-        let cloud = Cloud::new(&[0.0; 6]);
         let mut colouring = Colouring::default();
         let before = colouring.labels().revision();
-        colouring.set_labels(&cloud, &[1, 2]);
+        colouring.set_labels(vec![1, 2]);
         assert_eq!(colouring.labels().revision(), before + 1);
     }
 }

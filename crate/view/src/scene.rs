@@ -6,7 +6,7 @@ use tsify::Tsify;
 
 use crate::camera::{Camera, Lens};
 use crate::clip::{Clip, ClipBox};
-use crate::cloud::{Bounds, Cloud};
+use crate::cloud::{Arranged, Bounds, Cloud};
 use crate::colouring::{Colouring, Revised};
 use crate::layout::{Layout, Pane, Panes, Side};
 use crate::patch::SurfacePatch;
@@ -52,13 +52,16 @@ impl Default for Display {
     }
 }
 
+/// A normal as it is given, and as it is drawn: −127 to 127.
+type Normals = Arranged<f32, [i8; 4]>;
+
 /// The scene.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Scene {
     /// The points.
     pub cloud: Revised<Cloud>,
-    /// Normals in the cloud's shuffled order, −127 to 127; empty where there are none.
-    pub normals: Revised<Vec<[i8; 4]>>,
+    /// Normals, where there are any.
+    pub normals: Revised<Normals>,
     /// Colours of the two sides.
     pub colourings: [Colouring; 2],
     /// Patches of fitted surfaces.
@@ -82,30 +85,70 @@ pub struct Frame {
     pub pixel_ratio: f32,
 }
 
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            cloud: Revised::default(),
+            normals: Revised::new(Arranged::none(normal)),
+            colourings: Default::default(),
+            patches: Revised::default(),
+            camera: Camera::default(),
+            layout: Layout::default(),
+            display: Display::default(),
+        }
+    }
+}
+
+/// A normal brought to unit length, and what is none to zero.
+fn normal(given: &[f32]) -> [i8; 4] {
+    let given = Vec3::from_array(given.try_into().unwrap_or_default());
+    let unit = given.normalize_or_zero() * 127.0;
+    // A float beyond the range saturates and NaN becomes 0.
+    let [x, y, z] = unit.round().to_array().map(|component| component as i8);
+    [x, y, z, 0]
+}
+
 impl Scene {
-    /// Replaces the points; labels, scalars, normals and patches go with them.
-    pub fn set_cloud(&mut self, coordinates: &[f32]) {
+    /// Replaces the points; labels, scalars, normals and patches go with them. They are to be seen as
+    /// far as [`Scene::proceed`] has come.
+    pub fn set_cloud(&mut self, coordinates: Vec<f32>) {
         self.cloud.set(Cloud::new(coordinates));
-        self.normals.set(Vec::new());
+        self.normals.set(Arranged::none(normal));
         self.patches.set(Vec::new());
         for colouring in &mut self.colourings {
-            colouring.clear(self.cloud.get());
+            colouring.clear();
         }
     }
 
     /// Sets the normals (x y z per point, in the order the points were given).
-    pub fn set_normals(&mut self, components: &[f32]) {
-        let (vectors, _) = components.as_chunks::<3>();
-        let bytes: Vec<[i8; 4]> = vectors
-            .iter()
-            .map(|&vector| {
-                let unit = Vec3::from_array(vector).normalize_or_zero() * 127.0;
-                // A float beyond the range saturates and NaN becomes 0.
-                let [x, y, z] = unit.round().to_array().map(|component| component as i8);
-                [x, y, z, 0]
-            })
-            .collect();
-        self.normals.set(self.cloud.get().arrange(&bytes, [0; 4]));
+    pub fn set_normals(&mut self, components: Vec<f32>) {
+        self.normals.set(Arranged::of(components, 3, normal));
+    }
+
+    /// Brings as many more points, and what is said of as many, into the order in which they are drawn.
+    /// Returns whether that leaves some.
+    pub fn proceed(&mut self, points: usize) -> bool {
+        self.cloud.proceed(|cloud| cloud.proceed(points));
+        let cloud = self.cloud.get();
+        for colouring in &mut self.colourings {
+            colouring.proceed(cloud, points);
+        }
+        self.normals
+            .proceed(|normals| normals.proceed(cloud, points));
+        !self.is_ready()
+    }
+
+    /// Whether everything is in order.
+    pub fn is_ready(&self) -> bool {
+        let cloud = self.cloud.get();
+        cloud.is_ready()
+            && self.normals.get().is_ready(cloud)
+            && self.colourings.iter().all(|side| side.is_ready(cloud))
+    }
+
+    /// How many points can be drawn on a side.
+    pub fn ready(&self, side: Side) -> usize {
+        self.colouring(side).ready()
     }
 
     /// The colours of a side.
@@ -119,29 +162,11 @@ impl Scene {
 
     /// The colours of a side, to change them.
     pub fn colouring_mut(&mut self, side: Side) -> &mut Colouring {
-        self.points_and_colours(side).1
-    }
-
-    /// Sets the label of each point on a side, in the order the points were given.
-    pub fn set_labels(&mut self, side: Side, labels: &[u32]) {
-        let (cloud, colouring) = self.points_and_colours(side);
-        colouring.set_labels(cloud, labels);
-    }
-
-    /// Sets the scalar of each point on a side, in the order the points were given; NaN where a
-    /// point has none.
-    pub fn set_scalars(&mut self, side: Side, scalars: &[f32]) {
-        let (cloud, colouring) = self.points_and_colours(side);
-        colouring.set_scalars(cloud, scalars);
-    }
-
-    fn points_and_colours(&mut self, side: Side) -> (&Cloud, &mut Colouring) {
         let [first, second] = &mut self.colourings;
-        let colouring = match side {
+        match side {
             Side::First => first,
             Side::Second => second,
-        };
-        (self.cloud.get(), colouring)
+        }
     }
 
     /// The panes of a picture.
@@ -157,12 +182,12 @@ impl Scene {
 
     /// How a pane is seen when `drawn` points are drawn in it.
     pub fn sight(&self, pane: &Pane, frame: &Frame, drawn: usize) -> Sight {
-        let total = self.cloud.get().len();
+        let drawn = drawn.min(self.ready(pane.side));
         Sight {
             pane: *pane,
             lens: self.lens(pane),
-            scale: self.point_scale(frame, drawn.min(total)),
-            count: drawn.min(total),
+            scale: self.point_scale(frame, drawn),
+            count: drawn,
             clip: self.clip(),
         }
     }
@@ -178,7 +203,8 @@ impl Scene {
         self.camera.framing(bounds, self.panes(frame).aspect())
     }
 
-    /// Bounds of the points with one of the labels on a side; of everything where none is given.
+    /// Bounds of the points with one of the labels on a side, as far as they are in order; of everything
+    /// where none is given.
     pub fn bounds_of(&self, side: Side, labels: &[u32]) -> Bounds {
         let cloud = self.cloud.get();
         if labels.is_empty() {
@@ -187,7 +213,7 @@ impl Scene {
         let points = cloud
             .positions()
             .iter()
-            .zip(self.colouring(side).labels().get());
+            .zip(self.colouring(side).labels().get().values());
         Bounds::of(
             points
                 .filter(|(_, label)| labels.contains(label))
@@ -236,14 +262,18 @@ mod tests {
 
     fn four_points() -> Scene {
         let mut scene = Scene::default();
-        scene.set_cloud(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0]);
+        let points = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0];
+        scene.set_cloud(points.to_vec());
+        scene.proceed(usize::MAX);
         scene
     }
 
     #[test]
     fn a_label_has_bounds_of_its_own() {
         let mut scene = four_points();
-        scene.set_labels(Side::Second, &[0, 5, 5, 1]);
+        let side = scene.colouring_mut(Side::Second);
+        side.set_labels(vec![0, 5, 5, 1]);
+        scene.proceed(usize::MAX);
         let bounds = scene.bounds_of(Side::Second, &[5]);
         assert_eq!(bounds, Bounds::new(Vec3::ZERO, Vec3::new(1.0, 2.0, 0.0)));
         assert!(scene.bounds_of(Side::Second, &[9]).is_empty());
@@ -276,19 +306,38 @@ mod tests {
     #[test]
     fn a_new_cloud_forgets_labels_and_normals() {
         let mut scene = four_points();
-        scene.set_normals(&[1.0; 12]);
-        scene.set_cloud(&[0.0; 6]);
-        assert!(scene.normals.get().is_empty());
-        assert_eq!(scene.colouring(Side::First).labels().get().len(), 2);
+        scene.set_normals(vec![1.0; 12]);
+        scene.colouring_mut(Side::First).set_labels(vec![7; 4]);
+        scene.proceed(usize::MAX);
+        scene.set_cloud(vec![0.0; 6]);
+        assert_eq!(scene.ready(Side::First), 0);
+        scene.proceed(usize::MAX);
+        assert!(!scene.normals.get().is_wanted());
+        assert_eq!(scene.colouring(Side::First).labels().get().values(), [0, 0]);
     }
 
     #[test]
     fn normals_are_brought_to_unit_length_and_nonsense_to_zero() {
         let mut scene = four_points();
-        scene.set_normals(&[0.0, 0.0, -9.0, f32::NAN, 0.0, 0.0]);
-        let mut normals = scene.normals.get().clone();
+        scene.set_normals(vec![0.0, 0.0, -9.0, f32::NAN, 0.0, 0.0]);
+        scene.proceed(usize::MAX);
+        let mut normals = scene.normals.get().values().to_vec();
         normals.sort_unstable();
         assert_eq!(normals, [[0, 0, -127, 0], [0; 4], [0; 4], [0; 4]]);
+    }
+
+    #[test]
+    fn points_are_seen_as_far_as_they_are_in_order() {
+        let mut scene = four_points();
+        scene.colouring_mut(Side::Second).set_labels(vec![1; 4]);
+        assert_eq!(
+            (scene.ready(Side::First), scene.ready(Side::Second)),
+            (4, 0)
+        );
+        assert!(scene.proceed(3));
+        assert_eq!(scene.ready(Side::Second), 3);
+        assert!(!scene.proceed(3));
+        assert_eq!(scene.ready(Side::Second), 4);
     }
 
     #[test]

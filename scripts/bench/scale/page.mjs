@@ -4,9 +4,9 @@
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { strFromU8, strToU8, zipSync } from "fflate";
+import { zipSync } from "fflate";
 import { buildPage } from "../../build.mjs";
-import { manyModels, partFiles } from "../../lib/samples.mjs";
+import { manyModels, partFiles, sideBySide } from "../../lib/samples.mjs";
 import { withServedPage } from "../../lib/served.mjs";
 
 /** Of each step, how many models; small ones, so that it is their number that costs. */
@@ -59,21 +59,6 @@ export async function measurePage(bench, { quick }) {
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
-}
-
-/**
- * The files with the cloud several times over, the others beside the first: those points are in no primitive.
- * @param {Readonly<Record<string, Uint8Array>>} files
- * @param {number} copies
- */
-function sideBySide(files, copies) {
-  const path = Object.keys(files).find((name) => name.startsWith("pointCloud/")) ?? "";
-  const [head = "", ...rows] = strFromU8(files[path] ?? new Uint8Array()).split("\n");
-  const points = rows.filter((row) => row.startsWith("["));
-  const all = Array.from({ length: copies }, (_, at) =>
-    points.map((row) => row.replace(/^\[([^,]+)/, (_row, x) => `[${Number(x) + 2 * at}`)).join("\n"),
-  );
-  return { ...files, [path]: strToU8([head, ...all, " ];", ""].join("\n")) };
 }
 
 /**

@@ -7,7 +7,7 @@ import { STRATA } from "../../../www/generated/declared/strata.js";
 import { loadEngineApart } from "../../../bin/cli/engine.mjs";
 import { Bytes } from "../bytes.mjs";
 
-const ROLES = ["cloud", "primitives", "parametric", "implicit", "other"];
+const ROLES = ["cloud", "primitives", "parametric", "implicit", "types", "other"];
 const PARTS = ["plate", "bracket", "nosuch"];
 const SHAPES = ["cuboid", "rounded", "prism", "cylinder", "tube", "cone", "sphere", "torus", "none"];
 const FORMS = [...EXPORTS.map(({ name }) => name), "none"];

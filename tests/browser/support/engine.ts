@@ -19,6 +19,10 @@ export const METHOD = "Imperfect";
 interface Options {
   readonly spacing?: number;
   readonly seed?: number;
+  /** Standard deviation, as a share of the diagonal. */
+  readonly noise?: number;
+  /** Points on no surface, as a share of all. */
+  readonly outliers?: number;
 }
 
 /** The seven files of a generated part with its imperfect submission, in the layout of the public test set. */

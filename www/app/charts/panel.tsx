@@ -30,14 +30,14 @@ export default function ChartsPanel(): JSX.Element {
       <div class="panel-tools">
         <p>
           {scored && `Measures ${rules}. Confusion, sizes and distances are those of ${chartedMethod.value}. `}
-          A click on a shape goes to its model or primitive.
+          A click on a shape goes to its model or primitive.{scored && !means.value && " With two models or more, box plots of the measures come first."}
         </p>
         {several && scored && <ScopeSwitch />}
       </div>
       <div class="chart-grid">
         {scored && (
           <>
-            {means.value ? <Spreads /> : <p class="empty wide">Box plots need two scored models or more.</p>}
+            {means.value && <Spreads />}
             <TypesChart />
             <ConfusionChart />
             <SizeChart />

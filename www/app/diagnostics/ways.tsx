@@ -1,45 +1,30 @@
 // What can be done about files that belong to no model: a way on, in place of a hint alone.
 
 import type { JSX } from "preact";
-import { SEGMENTATION } from "../../shared/roles.mjs";
+import type { Recognised } from "../engine/contract";
 import { SETS } from "../public/catalogue";
 import { download, downloadModels } from "../public/download";
 import { publicBase } from "../public/source";
-import { brought, overrides, override } from "../state/inbox";
+import { brought, overrides, override, unplaced } from "../state/inbox";
 import { models } from "../state/models";
 import { notify } from "../state/notices";
 import { goToPanel } from "../state/panels";
 
-/** `PC5_primitives.txt`, `PC5_primitives_HT.txt`: of which model, and by whom. */
-const NAMED = new RegExp(`^(.+?)[_-](?:${SEGMENTATION.join("|")})(?:[_-](.+))?\\.\\w+$`, "i");
 /** Those of the benchmark. */
 const PUBLIC = /^PC([1-9]\d{0,2})$/i;
-/** What a submission is called whose files do not say. */
-const NAMELESS = "submission";
 /** More would not be read. */
 const CHOICES_AT_MOST = 500;
 
-interface Recognised {
-  readonly path: string;
-  readonly model: string;
-  readonly method: string;
-}
-
-/** The files among these that say by their names that they hold primitives or surfaces of some model. */
-function recognised(paths: readonly string[]): readonly Recognised[] {
-  return paths.flatMap((path) => {
-    const parts = path.split(/[/\\]/);
-    const [, model, method] = NAMED.exec(parts.at(-1) ?? "") ?? [];
-    return model === undefined ? [] : [{ path, model, method: method ?? parts.at(-2) ?? NAMELESS }];
-  });
-}
+/** A file with what the engine took it for. */
+type Known = readonly [path: string, what: Recognised];
 
 export function Ways({ paths }: { paths: readonly string[] }): JSX.Element | null {
-  const here = paths.filter((path) => brought.value.has(path));
-  if (here.length === 0) return null;
-  const known = recognised(here);
-  const number = Number(PUBLIC.exec(known[0]?.model ?? "")?.[1] ?? Number.NaN);
-  const sets = SETS.filter(({ count }) => number <= count && known.every(({ model }) => model === known[0]?.model));
+  const here = new Set(paths.filter((path) => brought.value.has(path)));
+  if (here.size === 0) return null;
+  const known = unplaced.value.flatMap(({ path, recognised }): Known[] => (recognised && here.has(path) ? [[path, recognised]] : []));
+  const asked = known[0]?.[1].model ?? "";
+  const number = Number(PUBLIC.exec(asked)?.[1] ?? Number.NaN);
+  const sets = SETS.filter(({ count }) => number <= count && known.every(([, { model }]) => model === asked));
   return (
     <p class="ways">
       <button type="button" onClick={() => goToPanel("files")}>
@@ -55,9 +40,9 @@ export function Ways({ paths }: { paths: readonly string[] }): JSX.Element | nul
   );
 }
 
-function UseFor({ known }: { known: readonly Recognised[] }): JSX.Element {
+function UseFor({ known }: { known: readonly Known[] }): JSX.Element {
   const use = (model: string) => {
-    for (const { path, method } of known) override(path, { ...overrides.peek()[path], model, method });
+    for (const [path, { method }] of known) override(path, { ...overrides.peek()[path], model, method });
   };
   return (
     <label>

@@ -37,6 +37,7 @@ export type {
   PrimitiveAudit,
   PrimitiveInfo,
   Protocol,
+  Recognised,
   Report,
   Role,
   SampleOptions,

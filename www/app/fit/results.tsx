@@ -9,6 +9,7 @@ import { selectModel, selectedMethod, selectedModel } from "../state/selection";
 import { protocol } from "../state/settings";
 import * as format from "../ui/format";
 import type { NoiseInfo } from "../engine/contract";
+import { Answer } from "./answer";
 import { isWindowed, Seen, type Place } from "../ui/seen";
 
 export function Results(): JSX.Element | null {
@@ -49,6 +50,7 @@ export function Results(): JSX.Element | null {
           draw={(fit, place) => <Row key={`${place["data-place"]} ${fit.model}`} fit={fit} place={place} />}
         />
       </table>
+      <Answer run={run} />
     </div>
   );
 }
@@ -109,7 +111,7 @@ function Row({ fit, place }: { fit: Fit; place: Place }): JSX.Element {
 
 /** In the units of the cloud; `none` of exact points. */
 function noiseIn({ deviation, source }: NoiseInfo): string {
-  return deviation > 0 ? `${deviation.toExponential(1).replace("e-", "e−")} ${source}` : "none";
+  return deviation > 0 ? `${format.length(deviation)} ${source}` : "none";
 }
 
 function Outcome({ model, state, removed }: { model: string; state: FitState; removed: boolean }): JSX.Element {

@@ -21,7 +21,11 @@ async function gather(entries: (FileSystemEntry | File)[]): Promise<Gathered> {
   const gathered: Gathered = { files: [], refused: [] };
   for (const entry of entries) {
     if (entry instanceof File) gathered.files.push({ path: entry.name, data: entry });
-    else await walk(entry, gathered);
+    else {
+      const before = gathered.files.length + gathered.refused.length;
+      await walk(entry, gathered);
+      if (gathered.files.length + gathered.refused.length === before) gathered.refused.push({ path: entry.name, reason: "There is no file in it." });
+    }
   }
   return gathered;
 }

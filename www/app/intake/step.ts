@@ -3,7 +3,7 @@
 import * as Comlink from "comlink";
 import { signal } from "@preact/signals";
 import type { ImportReport } from "../../generated/cad/cad.js";
-import { ROLES } from "../../generated/declared/roles.js";
+import { WRITTEN } from "../../shared/roles.mjs";
 import { isStep, nameOfPart } from "../../shared/step.mjs";
 import { sentence } from "../../shared/text.mjs";
 import type { HowImported } from "../../worker/step";
@@ -84,7 +84,7 @@ async function work(part: BroughtFile, how: HowImported, stop: AbortController):
     show("reading", 0);
     const { files, paths, report } = await worker.api.read(nameOfPart(part.path), part.data, how, Comlink.proxy(show));
     const step = { ...how, path: part.path, data: part.data, report };
-    const of = ROLES.map(({ name }) => ({
+    const of = WRITTEN.map((name) => ({
       ...part,
       path: `${part.path}/${paths[name]}`,
       data: new Blob([files[name]]),

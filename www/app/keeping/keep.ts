@@ -16,11 +16,15 @@ const PAUSE_MS = 300;
 /** The tab that holds it keeps its work; what two tabs kept would be a mixture of both. */
 const LOCK = "fit4cad-work";
 
+const OTHER_TAB = "Another tab of this page keeps its work; what you do in this one is gone with it.";
+
 /** Puts back what was kept and keeps what changes from now on. */
 export async function keepWork(): Promise<void> {
   try {
     if (!(await isOurs())) {
-      keeping.value = { kind: "refused", why: "Another tab of this page keeps its work; what you do in this one is gone with it." };
+      keeping.value = { kind: "refused", why: OTHER_TAB };
+      // Said before anything is done here, not only where files are listed.
+      notify(OTHER_TAB);
       return;
     }
     const kept = await read();

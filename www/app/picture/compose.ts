@@ -1,6 +1,6 @@
 // A picture to keep: the views in the size wanted, named, with a legend below them.
 
-import { largestDistance, type ColourMode, type Shown } from "../stage/colouring";
+import { endOfScale, type ColourMode, type Shown } from "../stage/colouring";
 import { fixedKey, nameOf, primitiveKey, type KeyEntry } from "../stage/key";
 import type { Side } from "../state/selection";
 import { SEQUENTIAL } from "../view/palette";
@@ -66,14 +66,14 @@ export async function compose(view: PointView, subject: Subject, whole: Wish, sc
   return canvas.convertToBlob({ type: "image/png" });
 }
 
-type Item = KeyEntry | { readonly scaleTo: number } | { readonly note: string };
+type Item = KeyEntry | { readonly scaleTo: string } | { readonly note: string };
 interface Placed {
   readonly item: Item;
   readonly left: number;
 }
 
 function itemsOf({ mode, scene, sides, reports }: Subject): Item[] {
-  if (mode === "distance") return [{ scaleTo: largestDistance(scene) }];
+  if (mode === "distance") return [{ scaleTo: endOfScale(scene) }];
   const primitives = mode === "segments" ? primitiveKey(sides, { scene, reports }) : mode === "figure" ? primitiveKey(["truth"], { scene, reports }) : [];
   return [...primitives, ...fixedKey(mode)];
 }
@@ -102,12 +102,10 @@ function rowsOf(context: Context, subject: Subject, text: number, { width, heigh
   return rows;
 }
 
-const length = (value: number) => `${Number(value.toPrecision(3))} units of the file`;
-
 function widthOf(context: Context, item: Item, text: number): number {
   const width = (words: string) => context.measureText(words).width;
   if ("note" in item) return width(item.note);
-  if ("scaleTo" in item) return width("0") + SCALE_LENGTH * text + text + width(length(item.scaleTo));
+  if ("scaleTo" in item) return width("0") + SCALE_LENGTH * text + text + width(item.scaleTo);
   return 1.3 * text + width(item.text);
 }
 
@@ -127,7 +125,7 @@ function drawRow(context: Context, row: readonly Placed[], text: number, middle:
       write("0", left);
       context.fillStyle = gradient;
       context.fillRect(start, middle - 0.4 * text, end - start, 0.8 * text);
-      write(length(item.scaleTo), end + 0.5 * text);
+      write(item.scaleTo, end + 0.5 * text);
     } else {
       context.fillStyle = item.colour;
       context.fillRect(left, middle - 0.45 * text, 0.9 * text, 0.9 * text);

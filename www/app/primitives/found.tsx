@@ -16,7 +16,7 @@ import { Swatch } from "../ui/swatch";
 import { Table, type Column, type Sorting } from "../ui/table";
 import { UNSEGMENTED } from "../view/palette";
 import { offBy, plusMinus } from "./plus-minus";
-import { errorsOf, follow } from "./sure";
+import { errorsOf, follow, isLoose } from "./sure";
 
 interface Row {
   readonly index: number;
@@ -48,7 +48,8 @@ const COLUMNS: readonly Column<Row>[] = [
     id: "dimensions",
     head: "Dimensions",
     label: "dimensions",
-    cell: ({ primitive, errors }) => primitive.surface && dimensions(primitive.surface, errors),
+    cell: ({ primitive, errors }) =>
+      primitive.surface && (isLoose(primitive, errors) ? <Loose /> : dimensions(primitive.surface, errors)),
   },
 ];
 
@@ -58,14 +59,14 @@ const ERRORS: readonly Column<Row>[] = [
     id: "position-error",
     head: "Position",
     label: "standard error of the position",
-    cell: ({ errors }) => offBy(errors?.position),
+    cell: ({ primitive, errors }) => !isLoose(primitive, errors) && offBy(errors?.position),
     sortBy: ({ errors }) => errors?.position ?? undefined,
   },
   {
     id: "axis-error",
     head: "Axis",
     label: "standard error of the axis",
-    cell: ({ errors }) => degrees(errors?.axis),
+    cell: ({ primitive, errors }) => !isLoose(primitive, errors) && degrees(errors?.axis),
     sortBy: ({ errors }) => errors?.axis ?? undefined,
   },
 ];
@@ -90,6 +91,15 @@ function dimensions(surface: SurfaceInfo, errors: StandardErrorsInfo | undefined
     case "Torus":
       return `radii ${plusMinus(surface.majorRadius, errors?.radius)} and ${plusMinus(surface.minorRadius, errors?.minorRadius)}`;
   }
+}
+
+/** In place of numbers that say nothing. */
+function Loose(): JSX.Element {
+  return (
+    <span class="hint" title="Surfaces that are very different from it fit its points as well">
+      undetermined
+    </span>
+  );
 }
 
 /** Whose primitives they are. */

@@ -1,7 +1,7 @@
 // How sure the surfaces of the primitives in the table are by their points: asked once it is in sight.
 
 import { computed, effect, signal } from "@preact/signals";
-import type { StandardErrorsInfo } from "../engine/contract";
+import type { PrimitiveInfo, StandardErrorsInfo } from "../engine/contract";
 import { engine } from "../engine/client";
 import { latest } from "../engine/latest";
 import { modelById } from "../state/models";
@@ -42,4 +42,26 @@ export function follow(): () => void {
 /** Nothing until it is known. */
 export function errorsOf(shown: ModelScene): readonly StandardErrorsInfo[] | undefined {
   return answer.value?.scene === shown ? answer.value.errors : undefined;
+}
+
+/** An axis or a half-angle that is off by so much, in radians, is not told by the points. */
+const LOOSE_ANGLE = Math.PI / 6;
+/** Nor is a radius that is off by this share of itself. */
+const LOOSE_SHARE = 0.5;
+
+/** Whether surfaces that are very different fit the points of a primitive as well: its numbers then say nothing. */
+export function isLoose({ surface }: PrimitiveInfo, errors: StandardErrorsInfo | undefined): boolean {
+  if (!surface || !errors) return false;
+  const angle = Math.max(errors.axis ?? 0, errors.halfAngle ?? 0);
+  if (angle > LOOSE_ANGLE) return true;
+  switch (surface.type) {
+    case "Cylinder":
+    case "Sphere":
+      return (errors.radius ?? 0) > LOOSE_SHARE * surface.radius;
+    case "Torus":
+      return (errors.radius ?? 0) > LOOSE_SHARE * surface.majorRadius || (errors.minorRadius ?? 0) > LOOSE_SHARE * surface.minorRadius;
+    case "Plane":
+    case "Cone":
+      return false;
+  }
 }

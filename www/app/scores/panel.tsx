@@ -2,10 +2,10 @@
 
 import type { JSX } from "preact";
 import { rulesOf } from "../measures/protocols";
-import { methods, models, scoredRows } from "../state/models";
-import { showPanel } from "../state/panels";
+import { methods, scoredRows } from "../state/models";
 import { protocol, remembered } from "../state/settings";
 import * as format from "../ui/format";
+import { NothingScored } from "./nothing";
 import { PaperTable } from "./paper";
 import { SubmissionTable } from "./submissions";
 
@@ -39,22 +39,5 @@ export default function ScoresPanel(): JSX.Element {
       </div>
       {layout.value === "paper" ? <PaperTable caption={caption} /> : <SubmissionTable caption={caption} />}
     </>
-  );
-}
-
-function NothingScored(): JSX.Element {
-  const waiting = models.value.some(({ status }) => status.kind === "waiting");
-  if (waiting) return <p class="empty">Scoring…</p>;
-  if (models.value.length === 0) return <p class="empty">No models yet.</p>;
-  return (
-    <div class="empty">
-      <p>
-        Nothing to score: a model needs its ground truth and at least one submission. Add the missing files, correct what
-        they are under Files, or have the primitives found here.
-      </p>
-      <button type="button" onClick={() => showPanel("fit")}>
-        Find the primitives
-      </button>
-    </div>
   );
 }

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
 import { isMeantBy } from "../stage/colouring";
 import { CutAxis, CutPlace } from "../stage/cut-fields";
-import { cutAcross } from "../stage/display";
+import { cutAcross, CUTS } from "../stage/display";
 import { nameOf } from "../stage/key";
 import { reports } from "../stage/reports";
 import { scene } from "../state/scene";
@@ -48,12 +48,34 @@ export default function SectionPanel(): JSX.Element {
         <Whose />
       </div>
       {cutAcross.value === "none" ? (
-        <p class="empty">Choose an axis to cut across. The views are cut open at the same place, and Escape takes the cut back.</p>
+        <Uncut />
       ) : section.value ? (
         <Cross section={section.value} />
       ) : (
         <p class="empty">Cutting…</p>
       )}
+    </div>
+  );
+}
+
+/** Before there is a cut: what it will show, and the three ways to have it. */
+function Uncut(): JSX.Element {
+  return (
+    <div class="empty">
+      <p>
+        A cut opens the views at one place. Here it shows the points near it, and the lines, circles and other curves in which
+        the fitted surfaces meet it. Escape takes it back.
+      </p>
+      <p class="cuts">
+        {CUTS.map(
+          ({ id, title }) =>
+            id !== "none" && (
+              <button key={id} type="button" onClick={() => (cutAcross.value = id)}>
+                Cut across {title}
+              </button>
+            ),
+        )}
+      </p>
     </div>
   );
 }

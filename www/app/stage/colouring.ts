@@ -170,13 +170,24 @@ function distances(scene: ModelScene, { offsets, indices, distances: own }: Segm
   for (const place of order) {
     for (let at = offsets[place] ?? 0; at < (offsets[place + 1] ?? 0); at++) values[indices[at] ?? points] = own[at] ?? NaN;
   }
-  return { values, low: 0, high: largestDistance(scene) };
+  return { values, low: 0, high: distanceScale(scene).end };
 }
 
-/** The end of the scale of distances: the largest of a point to its surface, on any side. */
-export function largestDistance({ truth, prediction, rival }: ModelScene): number {
+/**
+ * The end of the scale of distances, the same for all sides: that within which most points lie on the side where they
+ * lie farthest. Where that is none, the largest distance.
+ */
+export function distanceScale({ truth, prediction, rival }: ModelScene): { readonly end: number; readonly more: boolean } {
   const sides = [truth, prediction, rival?.segmentation];
-  return Math.max(...sides.map((side) => side?.farthest ?? 0)) || 1;
+  const farthest = Math.max(...sides.map((side) => side?.farthest ?? 0));
+  const end = Math.max(...sides.map((side) => side?.usual ?? 0)) || farthest || 1;
+  return { end, more: farthest > end };
+}
+
+/** The end of that scale in words. */
+export function endOfScale(scene: ModelScene): string {
+  const { end, more } = distanceScale(scene);
+  return `${Number(end.toPrecision(3))} units of the file${more ? " and more" : ""}`;
 }
 
 export function table({ colours }: Labelling): Uint8Array {

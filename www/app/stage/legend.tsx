@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { scene } from "../state/scene";
 import { selectedPrimitive } from "../state/selection";
 import { sample, SEQUENTIAL } from "../view/palette";
-import { largestDistance } from "./colouring";
+import { endOfScale } from "./colouring";
 import { colourMode } from "./display";
 import { fixedKey } from "./key";
 
@@ -21,7 +21,7 @@ export function Legend(): JSX.Element | null {
             <i key={step} style={{ backgroundColor: sample(SEQUENTIAL, step / (STEPS - 1)) }} />
           ))}
         </span>
-        <span>{Number(largestDistance(state.scene).toPrecision(3))} units of the file</span>
+        <span>{endOfScale(state.scene)}</span>
       </div>
     );
   }

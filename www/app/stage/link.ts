@@ -9,7 +9,6 @@ import type { PointView } from "../view/point-view";
 import { LabelState, type Side } from "../view/types";
 import { brushed } from "./brush";
 import { labelling, partnersOf, segmentationOf, table, type Labelling, type Shown } from "./colouring";
-import { isSameCloud } from "./cloud";
 import { asideLooks, hidden, isolated, locked, restHidden } from "./isolation";
 import { linkOutcomes, outcomes } from "./outcomes";
 import { linkSurfaces } from "./surfaces";
@@ -19,13 +18,18 @@ import { reports } from "./reports";
 
 const SIDES = [0, 1] as const satisfies Side[];
 
+/** Coordinates of as many points as are coloured within a frame. */
+const AT_ONCE = 3 * 200_000;
+
 /** The paper's figures are on white, and black must be seen on it. */
 const PAPER = { background: "#ffffff", ink: "#000000" };
 const DARK = { background: "#14181c", ink: "#ffffff" };
 
 /** Starts keeping in step; the result ends it. */
 export function link(view: PointView): () => void {
-  let cloud: Float32Array | undefined;
+  let cloud: string | undefined;
+  /** The latest colouring, which puts off what is left of those before. */
+  let latest: object | undefined;
   /** How many labels either side has. */
   const counts = [signal(1), signal(1)] as const;
   const ends = [
@@ -42,10 +46,9 @@ export function link(view: PointView): () => void {
       const state = scene.value;
       if (state.kind !== "ready") return;
       // Another method of the same model keeps the camera.
-      if (state.scene.positions !== cloud) {
-        const before = cloud;
-        cloud = state.scene.positions;
-        if (!before || !isSameCloud(before, cloud)) view.setCloud(cloud);
+      if (state.scene.cloud !== cloud) {
+        cloud = state.scene.cloud;
+        view.setCloud(state.scene.positions);
       }
       const awaited = awaitedCamera.value;
       if (awaited && modelById(awaited.model)?.source.key === state.scene.key) {
@@ -54,11 +57,22 @@ export function link(view: PointView): () => void {
       }
       const shown = shownNow();
       if (!shown) return;
-      for (const side of SIDES) {
-        const what = labelling(colourMode.value, sides.value[side], shown);
+      const [mode, names] = [colourMode.value, sides.value];
+      const colourSide = (side: Side) => {
+        const what = labelling(mode, names[side], shown);
         counts[side].value = what.colours.length;
         colour(view, side, what);
-      }
+      };
+      const own = (latest = {});
+      if (state.scene.positions.length <= AT_ONCE) return SIDES.forEach(colourSide);
+      // Of millions of points each side has a task of its own.
+      void (async () => {
+        for (const side of SIDES) {
+          await pause();
+          if (latest !== own) return;
+          colourSide(side);
+        }
+      })();
     }),
     effect(() => {
       const shown = shownNow();
@@ -71,8 +85,14 @@ export function link(view: PointView): () => void {
   ];
   ends.push(linkOutcomes(), linkSurfaces(view));
   return () => {
+    latest = undefined;
     for (const end of ends) end();
   };
+}
+
+/** Lets what waits for the page's thread have it. */
+function pause(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
 }
 
 function shownNow(): Shown | undefined {

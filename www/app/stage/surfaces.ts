@@ -11,7 +11,6 @@ import { selectedModel, selectedPrimitive } from "../state/selection";
 import { rgb, type Rgb } from "../view/palette";
 import type { PointView } from "../view/point-view";
 import type { Side, SurfacePatch } from "../view/types";
-import { isSameCloud } from "./cloud";
 import { partnersOf, segmentationOf, segmentColours } from "./colouring";
 import { sides, surfacesShown } from "./display";
 import { reports } from "./reports";
@@ -19,20 +18,18 @@ import { reports } from "./reports";
 /** Starts keeping normals and patches in step; the result ends it. */
 export function linkSurfaces(view: PointView): () => void {
   let latest: object | undefined;
-  let positions: Float32Array | undefined;
+  let cloud: string | undefined;
   const ends = [
     effect(() => {
       const state = scene.value;
       const source = modelById(selectedModel.value)?.source;
-      if (state.kind !== "ready" || source?.key !== state.scene.key || state.scene.positions === positions) return;
-      const cloud = state.scene.positions;
-      const before = positions;
-      positions = cloud;
-      if (before && isSameCloud(before, cloud)) return;
+      if (state.kind !== "ready" || source?.key !== state.scene.key || state.scene.cloud === cloud) return;
+      const asked = state.scene.cloud;
+      cloud = asked;
       engine
         .run((api) => api.normals(source))
         // Without normals the points are drawn all the same.
-        .then((normals) => positions && isSameCloud(positions, cloud) && view.setNormals(normals), () => undefined);
+        .then((normals) => cloud === asked && view.setNormals(normals), () => undefined);
     }),
     effect(() => {
       const wanted = wantedPatches();
@@ -46,7 +43,7 @@ export function linkSurfaces(view: PointView): () => void {
   ];
   return () => {
     latest = undefined;
-    positions = undefined;
+    cloud = undefined;
     for (const end of ends) end();
   };
 }

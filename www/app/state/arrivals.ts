@@ -19,6 +19,7 @@ export async function receive(files: readonly BroughtFile[], lacking: readonly U
   const before = new Set(contents.value.map(({ source }) => source.key));
   const known = new Set(contents.value.map(({ id }) => id));
   await bring(files, lacking);
+  if (files.length === 0) return tellLack(lacking);
   const fresh = contents.value.filter(({ source }) => !before.has(source.key));
   const twins = twinsAmong(fresh.filter(({ id }) => !known.has(id)));
   if (fresh[0]) selectModel(fresh[0].id);
@@ -28,6 +29,13 @@ export async function receive(files: readonly BroughtFile[], lacking: readonly U
   if (twins.length === 0) notify(text + rest);
   else if (same.every((each) => each)) join(twins);
   else keepApart(twins);
+}
+
+/** Nothing came: says why, as far as a line can. */
+function tellLack(lacking: readonly Unplaced[]): void {
+  const [one] = lacking;
+  if (!one) return;
+  notify(lacking.length === 1 ? `${one.path}: ${one.reason}` : `None of ${plural(lacking.length, "file")} could be opened (see Diagnostics).`, "error");
 }
 
 /** Takes what came for submissions, and offers to have models of their own instead. */

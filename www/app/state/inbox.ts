@@ -5,7 +5,7 @@
 
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { engine } from "../engine/client";
-import type { Grouping, Override } from "../engine/contract";
+import type { Grouping, Override, Recognised } from "../engine/contract";
 import { latest } from "../engine/latest";
 import { named, namesOf, type Names } from "./identity";
 import { madeNames, makeRoom } from "./made";
@@ -28,6 +28,8 @@ export interface BroughtFile {
 export interface Unplaced {
   readonly path: string;
   readonly reason: string;
+  /** What the engine took it for; absent where that is not told, and for what was not even opened. */
+  readonly recognised?: Recognised | undefined;
 }
 
 type Heap = ReadonlyMap<string, BroughtFile>;

@@ -9,11 +9,11 @@ import { LiveView } from "../view/live-view";
 import { bytes, segmentColour, UNSEGMENTED } from "../view/palette";
 import type { PointView } from "../view/point-view";
 import { LookFrom } from "../view/look-from";
-import type { Weight } from "../../worker/studio";
+import type { MadeCase, Weight } from "../../worker/studio";
 import { isGenerated, type Case } from "./case";
 import { LassoLayer } from "./lasso-layer";
 import { vanished } from "./missing-section";
-import { failure, made, makeOffered, making, offered, stop } from "./state";
+import { ask, failure, made, makeOffered, making, offered, stop } from "./state";
 import { thinness } from "./thin";
 import { followBall, inBall, placeBallOn, tool } from "./tools";
 
@@ -106,6 +106,16 @@ function Standing(): JSX.Element {
   );
 }
 
+/** Normals of more points would keep the next change waiting. */
+const SHADED_AT_MOST = 100_000;
+
+/** Has the points drawn as a surface once their normals are there, unless the case is another by then. */
+function shade(view: PointView, of: MadeCase): void {
+  if (of.positions.length / 3 > SHADED_AT_MOST) return;
+  // Without normals the points are drawn all the same.
+  ask((engine) => engine.normals()).then((normals) => made.peek()?.result === of && view.setNormals(normals), () => undefined);
+}
+
 /** Keeps a view showing the case for as long as the view lives. */
 function show(view: PointView): () => void {
   let centre = "";
@@ -133,6 +143,7 @@ function show(view: PointView): () => void {
       const { camera } = view;
       view.setCloud(result.positions);
       view.colourByLabel(0);
+      shade(view, result);
       // A change of the same part leaves the view where it is.
       const now = result.centre.map((coordinate) => coordinate.toPrecision(3)).join(" ");
       if (now === centre) view.setCamera(camera);

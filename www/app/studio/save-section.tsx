@@ -33,7 +33,7 @@ export function SaveSection(): JSX.Element {
       <h3 id="studio-keep">Keep and use</h3>
       <div class="row">
         <button type="button" class="primary" disabled={!ready} onClick={() => void attempt(handOver)}>
-          Score and fit it
+          Open it under Score
         </button>
         <button type="button" disabled={!ready} onClick={() => void attempt(save)}>
           Save files

@@ -12,6 +12,8 @@ interface Props {
   /** What the view shows, for those who cannot see it. */
   readonly label: string;
   readonly layout: Layout;
+  /** Whether points are seen apart; else neighbours overlap, and as discs in their surface close it. */
+  readonly apart?: boolean;
   readonly onView: (view: PointView) => void;
   readonly children?: JSX.Element | readonly (JSX.Element | false | undefined)[] | false | undefined;
 }
@@ -19,7 +21,7 @@ interface Props {
 const LIGHT = { background: "#ffffff", ink: "#000000" };
 const DARK = { background: "#14181c", ink: "#ffffff" };
 
-export function LiveView({ label, layout, onView, children }: Props): JSX.Element {
+export function LiveView({ label, layout, apart = false, onView, children }: Props): JSX.Element {
   const [failure, setFailure] = useState<string>();
   return (
     <div class="live-view">
@@ -30,7 +32,7 @@ export function LiveView({ label, layout, onView, children }: Props): JSX.Elemen
           onLayout={() => undefined}
           onReady={(view) => {
             onView(view);
-            view.setPointSize({ unit: "spacing", value: 0.9 });
+            view.setPointSize({ unit: "spacing", value: apart ? 0.9 : 1.3 });
             return effect(() => view.setTheme(isDark() ? DARK : LIGHT));
           }}
           onUnavailable={({ message }) => setFailure(message)}

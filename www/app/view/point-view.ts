@@ -2,6 +2,7 @@
 
 import init, { View, type Lasso } from "../../generated/view/view.js";
 import { Gestures } from "./gestures";
+import { Growth } from "./growth";
 import { bytes, rgb, SEQUENTIAL } from "./palette";
 import { PickQueue } from "./pick-queue";
 import {
@@ -47,6 +48,7 @@ export class PointView {
   private readonly picks: PickQueue;
   private hovered = "";
   private stale = true;
+  private readonly growth: Growth;
   /** Frames anew what was framed last, until the reader or the page moves the camera otherwise. */
   private frameAgain: (() => void) | undefined;
 
@@ -83,6 +85,7 @@ export class PointView {
     this.canvas = canvas;
     this.view = view;
     this.picks = new PickQueue(view);
+    this.growth = new Growth(view);
     this.gestures = new Gestures(this);
     this.sizes = new ResizeObserver((entries) => this.measure(entries.at(-1)));
     this.sizes.observe(canvas);
@@ -120,22 +123,23 @@ export class PointView {
     }
   }
 
-  // What is seen.
+  // What is seen. Of a cloud of millions a part is seen first: what is given per point is worked up a little in every frame.
 
   /** Replaces the points: x y z each, relative to the cloud's centre. Forgets all that was said of the points before. */
   setCloud(positions: Float32Array): void {
-    this.change((view) => view.set_cloud(positions));
+    this.give((view) => view.set_cloud(positions));
   }
 
   /** Unit normals, x y z per point. */
   setNormals(normals: Float32Array): void {
-    this.change((view) => view.set_normals(normals));
+    // The points are seen without them meanwhile.
+    this.give((view) => view.set_normals(normals), this.growth.pictured);
   }
 
   /** A label per point. Labels also say what is hidden where colours come from elsewhere. */
   setLabels(side: Side, labels: Uint32Array | Uint16Array): void {
     const wide = labels instanceof Uint32Array ? labels : Uint32Array.from(labels);
-    this.change((view) => view.set_labels(side, wide));
+    this.give((view) => view.set_labels(side, wide));
   }
 
   /** Colours of the labels, r g b each (see `palette.ts`). */
@@ -150,7 +154,7 @@ export class PointView {
 
   /** A number per point; NaN where there is none. */
   setScalars(side: Side, scalars: Float32Array): void {
-    this.change((view) => view.set_scalars(side, scalars));
+    this.give((view) => view.set_scalars(side, scalars));
   }
 
   /** Colours from the low to the high end of the scalars. */
@@ -264,6 +268,13 @@ export class PointView {
     const framed = Uint32Array.from(labels);
     this.change((view) => view.fit_labels(side, framed, this.animated(animated)));
     this.frameAgain = () => this.view.fit_labels(side, framed, false);
+  }
+
+  /** Frames the part of space between two corners. */
+  fitBox({ low, high }: ClipBox, animated = true): void {
+    const corners = Float32Array.of(...low, ...high);
+    this.change((view) => view.fit_box(corners, this.animated(animated)));
+    this.frameAgain = () => this.view.fit_box(corners, false);
   }
 
   /** Turns the cloud about the axes of the screen, in radians: to the right, downwards, counter-clockwise. */
@@ -397,6 +408,13 @@ export class PointView {
     return result;
   }
 
+  /** Gives the view something per point, of which as many as are told can be seen before it is worked up. */
+  private give(act: (view: View) => void, pictured = 0): void {
+    act(this.view);
+    this.growth.begin(pictured);
+    this.schedule();
+  }
+
   private schedule(): void {
     if (this.request === 0 && !this.stop.signal.aborted) {
       this.asked = performance.now();
@@ -407,12 +425,15 @@ export class PointView {
   private step(now: number): void {
     this.request = 0;
     if (!this.usable) return;
-    this.picks.proceed();
-    if (this.stale) {
+    // What is under the cursor is looked for among all points.
+    if (!this.growth.busy) this.picks.proceed();
+    else if (this.growth.proceed()) this.stale = true;
+    // Before the first point is there, what was seen last stays.
+    if (this.stale && !(this.growth.busy && this.view.ready() === 0)) {
       this.stale = this.view.draw(now, performance.now() - this.asked);
       if (!this.stale) this.tellCamera();
     }
-    if (this.stale || this.picks.busy) this.schedule();
+    if (this.stale || this.growth.busy || this.picks.busy) this.schedule();
   }
 
   private tellCamera(): void {

@@ -8,6 +8,8 @@ mod points;
 mod table;
 
 pub use archive::Arrays;
+#[cfg(test)]
+pub(crate) use archive::zip as zip_of;
 
 use crate::cloud::Cloud;
 use crate::model::Segmentation;

@@ -86,8 +86,8 @@ fn is_in_pieces(file: &str, window: &Window<'_>) -> bool {
     matches!(encoding::utf8(head), Cow::Borrowed(_)) && !may_be_foreign(file, head, window.size())
 }
 
-/// As [`super::read_cloud`], and of PLY and LAS, by pieces of so many bytes, as long files are read; the same whatever they are.
-/// Text of two bytes a character is read whole.
+/// As [`super::read_cloud`], by pieces of so many bytes, as long texts are read; the same whatever they are. Text of two
+/// bytes a character is read whole.
 pub fn read_cloud_by_pieces(
     file: &str,
     bytes: &[u8],
@@ -96,6 +96,30 @@ pub fn read_cloud_by_pieces(
     if matches!(encoding::utf8(bytes), Cow::Owned(_)) {
         return cloud::read_cloud(file, bytes);
     }
+    let labelled = cloud::is_labelled(file);
+    let read = in_pieces(bytes, piece, |window| {
+        cloud::read_window(file, window, labelled)
+    });
+    // What is in memory can be had.
+    read.unwrap_or_default()
+}
+
+/// The cloud of a file of another program, by pieces of so many bytes; `None` where it is of a kind that is read whole, or
+/// of no other program.
+pub fn read_foreign_cloud_by_pieces(
+    file: &str,
+    bytes: &[u8],
+    piece: usize,
+) -> Option<(CloudFile, Vec<Diagnostic>)> {
+    let read = in_pieces(bytes, piece, |window| read_foreign_by_pieces(file, window));
+    read.unwrap_or_default()
+}
+
+fn in_pieces<T>(
+    bytes: &[u8],
+    piece: usize,
+    read: impl FnOnce(&mut Window<'_>) -> Result<T, String>,
+) -> Result<T, String> {
     let part = |from: u64, to: u64| {
         let [from, to] = [from, to].map(|at| usize::try_from(at).unwrap_or(usize::MAX));
         Ok(Cow::Borrowed(bytes.get(from..to).unwrap_or_default()))
@@ -104,15 +128,9 @@ pub fn read_cloud_by_pieces(
         size: bytes.len() as u64,
         part: &part,
     };
-    let read = Window::open(text, piece).and_then(|mut window| {
-        window.reach(cloud::MARK)?;
-        match read_foreign_by_pieces(file, &mut window)? {
-            Some(read) => Ok(read),
-            None => cloud::read_window(file, &mut window, cloud::is_labelled(file)),
-        }
-    });
-    // What is in memory can be had.
-    read.unwrap_or_default()
+    let mut window = Window::open(text, piece)?;
+    window.reach(cloud::MARK)?;
+    read(&mut window)
 }
 
 /// Reads files of one model while they are within the limits, and keeps what is wrong.

@@ -23,6 +23,8 @@ pub struct FileKind {
     pub meaning: &'static str,
     /// What such files hold where their names do not say.
     pub holds: Holds,
+    /// Whether a module of its own opens them, and hands on what is in them as files of other kinds.
+    pub is_opened_apart: bool,
 }
 
 /// Every kind. Where two files of a folder could be the same cloud, the one of the first kind is.
@@ -32,6 +34,7 @@ pub const FILE_KINDS: [FileKind; 11] = [
         title: "Text",
         meaning: "the benchmark's files, and rows x y z of any kind",
         holds: Holds::Cloud,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["xyz", "xyzn", "xyzrgb", "csv", "tsv", "pts", "asc", "dat"],
@@ -39,36 +42,42 @@ pub const FILE_KINDS: [FileKind; 11] = [
         meaning: "x y z and what follows, separated by blanks, tabs, commas or semicolons, with or \
                   without a first line of names or a number of points; a column of labels is the truth",
         holds: Holds::Cloud,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["xyzc"],
         title: "Labelled rows",
         meaning: "the same; the last column is of labels",
         holds: Holds::Either,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["ply"],
         title: "PLY",
         meaning: "vertices, text or binary; labels by the name of their property",
         holds: Holds::Either,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["pcd"],
         title: "PCD",
         meaning: "points, text, binary or compressed; labels by the name of their field",
         holds: Holds::Either,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["las"],
         title: "LAS",
         meaning: "points, not packed; labels by the name of what is added to each",
         holds: Holds::Either,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["npz", "npy"],
         title: "NumPy",
         meaning: "an array of points, of labels, or several in an archive, by their names",
         holds: Holds::Either,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["h5", "hdf5"],
@@ -76,26 +85,30 @@ pub const FILE_KINDS: [FileKind; 11] = [
         meaning: "points, labels and types of one model or of many, of SPFN, ParseNet and HPNet, by the names of \
                   their arrays; predictions are submissions",
         holds: Holds::Either,
+        is_opened_apart: true,
     },
     FileKind {
         endings: &["vg"],
         title: "Vertex groups",
         meaning: "points, and the types and points of primitives, of Easy3D, PolyFit and CGAL",
         holds: Holds::Either,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["obj", "stl"],
         title: "Meshes",
         meaning: "the vertices of OBJ, the distinct ones of STL",
         holds: Holds::Cloud,
+        is_opened_apart: false,
     },
     FileKind {
         endings: &["seg", "labels", "fidx"],
         title: "Labels",
         meaning: "a whole number a point in the order of the cloud, -1 for none; also PC14_labels.txt, \
-                  PC14_inst.txt and the like; and of any kind a cloud for each primitive, as CloudCompare's \
+                  PC14_inst.txt and the like, and beside them PC14_type.txt, the type of each point; and of any kind a cloud for each primitive, as CloudCompare's \
                   RANSAC saves them, beside their cloud or without: Plane_0001, PC14_CYLINDER_0002_cloud, Leftovers",
         holds: Holds::Segments,
+        is_opened_apart: false,
     },
 ];
 

@@ -13,6 +13,7 @@ pub mod group;
 mod labels;
 pub mod limits;
 mod number;
+mod one_a_row;
 mod paths;
 mod pieces;
 mod primitives;
@@ -23,6 +24,7 @@ mod segments;
 mod shrec;
 mod source;
 mod surfaces;
+pub mod types;
 mod window;
 mod write;
 
@@ -31,9 +33,11 @@ mod tests;
 
 pub use assemble::{Named, assemble};
 pub use cloud::{CloudFile, read_cloud};
-pub use contents::read_cloud_by_pieces;
+pub use contents::{read_cloud_by_pieces, read_foreign_cloud_by_pieces};
 pub use files::{FILE_KINDS, FileKind, Holds};
-pub use group::{Grouping, ModelFiles, Override, PlacedFile, Unplaced, group, model_number};
+pub use group::{
+    Grouping, ModelFiles, Override, PlacedFile, Recognised, Unplaced, group, model_number,
+};
 pub use labels::{Segment, by_label};
 pub use paths::{Layout, file_name, path_of};
 pub use primitives::{PointList, read_primitives};

@@ -38,6 +38,7 @@ pub fn path_of(layout: Layout, model: &str, role: Role, method: Option<&str>) ->
         Role::Primitives => "_primitives",
         Role::Parametric => "_parametric",
         Role::Implicit => "_implicit",
+        Role::Types => "_types",
     };
     // A cloud belongs to no method.
     let method = method.filter(|_| role != Role::Cloud).map(method_name);
@@ -137,11 +138,12 @@ mod tests {
     use super::super::group;
     use super::*;
 
-    const ROLES: [Role; 4] = [
+    const ROLES: [Role; 5] = [
         Role::Cloud,
         Role::Primitives,
         Role::Parametric,
         Role::Implicit,
+        Role::Types,
     ];
 
     #[test]
@@ -237,7 +239,7 @@ mod tests {
         ) {
             let layout = if test_set { Layout::TestSet } else { Layout::Beside };
             let truth = ROLES.map(|role| (role, None));
-            let found = [Role::Primitives, Role::Parametric, Role::Implicit];
+            let found = [Role::Primitives, Role::Parametric, Role::Implicit, Role::Types];
             let (model, method) = (file_name(&model), method_name(&method));
             let found = found.map(|role| (role, Some(method.as_str())));
             let files: Vec<_> = truth.into_iter().chain(found).collect();

@@ -12,6 +12,7 @@ use super::primitives::{PointList, read_counted};
 use super::readers::{Readers, Taken};
 use super::source::{Role, Source};
 use super::surfaces::{SurfaceFile, read_surfaces};
+use super::types::{self, Told};
 use crate::cloud::Cloud;
 use crate::diagnostics::Diagnostic;
 use crate::model::{Model, Segmentation};
@@ -106,6 +107,7 @@ pub fn read_files<S: Source>(name: &str, files: &[S], readers: &Readers) -> Read
             Role::Primitives => &mut of_method.primitives,
             Role::Parametric => &mut of_method.parametric,
             Role::Implicit => &mut of_method.implicit,
+            Role::Types => &mut of_method.types,
         };
         match slot {
             Some(first)
@@ -174,6 +176,7 @@ struct Files<'a, S> {
     pieces: Vec<&'a S>,
     parametric: Option<&'a S>,
     implicit: Option<&'a S>,
+    types: Option<&'a S>,
     /// The segments that the cloud's file holds, and its path.
     own: Option<(&'a str, Vec<Segment>)>,
 }
@@ -186,6 +189,7 @@ impl<S> Default for Files<'_, S> {
             pieces: Vec::new(),
             parametric: None,
             implicit: None,
+            types: None,
             own: None,
         }
     }
@@ -199,24 +203,19 @@ impl<S: Source> Files<'_, S> {
         readers: &Readers,
         reader: &mut Reader,
     ) -> Option<Segmentation> {
-        if let Some((path, segments)) = self.own.take() {
-            return Some(self.join(path, Found::Segments(segments), method, reader));
-        }
-        let Some(file) = self.primitives else {
-            if let Some(surfaces) = self.parametric.or(self.implicit) {
-                reader.diagnostics.push(whole_file(
-                    surfaces.path(),
-                    "There are surfaces but no file of primitives for them",
-                    "",
-                    "a file ending in _primitives.txt that lists their points",
-                    "Add it",
-                ));
-            }
+        let own = self.own.take();
+        if own.is_none() && self.primitives.is_none() {
+            self.tell_what_lacks(reader);
             return None;
-        };
+        }
+        let types = self.read_types(cloud, readers, reader);
+        if let Some((path, segments)) = own {
+            return Some(self.join(path, Found::Segments(segments), &types, method, reader));
+        }
+        let file = self.primitives?;
         if is_piece(file) {
             let found = self.read_pieces(file, cloud, readers, reader)?;
-            return Some(self.join(file.path(), found, method, reader));
+            return Some(self.join(file.path(), found, &types, method, reader));
         }
         let purpose = match method {
             None => Purpose::Truth,
@@ -242,7 +241,7 @@ impl<S: Source> Files<'_, S> {
                 None
             }
             found => {
-                let segmentation = self.join(file.path(), found, method, reader);
+                let segmentation = self.join(file.path(), found, &types, method, reader);
                 if counted_from_1 {
                     let findings = counting::check(file.path(), cloud, &segmentation);
                     reader.diagnostics.extend(findings);
@@ -250,6 +249,41 @@ impl<S: Source> Files<'_, S> {
                 Some(segmentation)
             }
         }
+    }
+
+    /// Says of files that go with lists of points that there are none.
+    fn tell_what_lacks(&self, reader: &mut Reader) {
+        let mut tell = |file: &S, message: &str, expected: &str| {
+            let finding = whole_file(file.path(), message, "", expected, "Add it");
+            reader.diagnostics.push(finding);
+        };
+        if let Some(surfaces) = self.parametric.or(self.implicit) {
+            tell(
+                surfaces,
+                "There are surfaces but no file of primitives for them",
+                "a file ending in _primitives.txt that lists their points",
+            );
+        }
+        if let Some(types) = self.types {
+            tell(
+                types,
+                "There are types of points but no segments that they would be of",
+                "a file ending in _labels.txt, with a whole number for each point",
+            );
+        }
+    }
+
+    /// The types of the points, where a file tells them and can be used.
+    fn read_types(&self, cloud: &Cloud, readers: &Readers, reader: &mut Reader) -> Vec<Told> {
+        let Some(file) = self.types else {
+            return Vec::new();
+        };
+        let Some(read_types) = readers.types else {
+            reader.unread = true;
+            return Vec::new();
+        };
+        let types = reader.read(file, |path, bytes| read_types(path, bytes, cloud));
+        types.flatten().unwrap_or_default()
     }
 
     /// The segments of files that hold the points of one primitive each.
@@ -282,11 +316,12 @@ impl<S: Source> Files<'_, S> {
         segments.map(Found::Segments)
     }
 
-    /// What was found in a file with the surfaces that go with it.
+    /// What was found in a file with the surfaces and types that go with it.
     fn join(
         self,
         file: &str,
         found: Found,
+        types: &[Told],
         method: Option<&str>,
         reader: &mut Reader,
     ) -> Segmentation {
@@ -312,6 +347,10 @@ impl<S: Source> Files<'_, S> {
             .zip(kinds.into_iter().flatten())
         {
             primitive.kind = primitive.kind.or(kind);
+        }
+        for primitive in &mut segmentation.primitives {
+            let of_points = || types::of_points(&primitive.points, types);
+            primitive.kind = primitive.kind.or_else(of_points);
         }
         reader.diagnostics.extend(findings);
         segmentation

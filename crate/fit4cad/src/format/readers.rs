@@ -5,8 +5,9 @@
 use std::borrow::Cow;
 use std::cell::RefCell;
 
+use super::cloud::kinds::ONE_A_ROW;
 use super::cloud::{self, CloudFile, read_cloud};
-use super::findings::{Findings, Kind};
+use super::findings::Findings;
 use super::foreign::{
     Content, Packed, Purpose, Unpacking, is_foreign, read_by_pieces as read_foreign_by_pieces,
     read_foreign,
@@ -15,9 +16,10 @@ use super::labels::Segment;
 use super::limits::MAX_FILE_BYTES;
 use super::pieces::{self, Piece};
 use super::segments::{is_of_labels, read_segments};
+use super::types::{Told, read_types};
 use super::window::{PIECE, Text, Window};
 use crate::cloud::Cloud;
-use crate::diagnostics::{Diagnostic, Severity, Subject};
+use crate::diagnostics::Diagnostic;
 
 /// What came of a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +41,8 @@ pub struct Readers {
     pub(super) by_pieces: Option<ByPieces>,
     /// Of segments of a cloud; none where the file cannot be used.
     pub(super) segments: ReadSegments,
+    /// Of the types of a cloud's points; none where they are left for later.
+    pub(super) types: Option<ReadTypes>,
     /// Of segments that come as a cloud each; none where they are left for later.
     pub(super) pieces: Option<ReadPieces>,
 }
@@ -67,6 +71,8 @@ type Found = (CloudFile, Vec<Diagnostic>);
 
 type ReadPieces = fn(&[Piece<'_>], &Cloud) -> (Option<Vec<Segment>>, Vec<Diagnostic>);
 
+type ReadTypes = fn(&str, &[u8], &Cloud) -> (Option<Vec<Told>>, Vec<Diagnostic>);
+
 type ReadSegments = fn(&str, &[u8], &Cloud, Purpose) -> Taken<Option<Vec<Segment>>>;
 
 impl Readers {
@@ -79,6 +85,7 @@ impl Readers {
             unpacked,
         }),
         segments: read_any_segments,
+        types: Some(read_types),
         pieces: Some(pieces::onto),
     };
 
@@ -87,6 +94,7 @@ impl Readers {
         cloud: |file, bytes| taken(!is_foreign(file, bytes) && cloud::is_own(file, bytes)),
         by_pieces: None,
         segments: |file, bytes, _, _| taken(!is_foreign(file, bytes) && !is_of_labels(bytes)),
+        types: None,
         pieces: None,
     };
 }
@@ -113,20 +121,12 @@ fn taken<T>(own: bool) -> Taken<T> {
     if own { Taken::Own } else { Taken::Later }
 }
 
-const LABELS: Kind = Kind {
-    subject: Subject::File,
-    severity: Severity::Error,
-    message: "This is not a cloud but a label for each point of one",
-    expected: "points",
-    hint: "Set its role to primitives, and its model to that of the cloud",
-};
-
 fn read_any_cloud(file: &str, bytes: &[u8]) -> Taken<CloudFile> {
     match read_foreign(file, bytes, Purpose::Truth) {
         Some((Content::Cloud(cloud), findings)) => Taken::Read(cloud, findings),
         Some((Content::Labels(labels, _), _)) => {
             let mut findings = Findings::new(file, &[]);
-            findings.add_whole(&LABELS, format!("{} labels", labels.len()));
+            findings.add_whole(&ONE_A_ROW, format!("{} of them", labels.len()));
             Taken::Read(CloudFile::default(), findings.finish())
         }
         Some((Content::Text(text), _)) => {

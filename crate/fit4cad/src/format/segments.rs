@@ -7,8 +7,9 @@ use super::findings::{Findings, Kind};
 use super::foreign::{Content, Purpose, read_foreign};
 use super::labels::{NO_LABEL, Segment, by_label, is_label_value};
 use super::number;
+use super::one_a_row::{Values, number_of};
 use super::primitives::{PointList, read_primitives};
-use super::scan::{is_remark, is_separator, is_whitespace};
+use super::scan::{is_remark, is_separator};
 use crate::cloud::neighbours::KdTree;
 use crate::cloud::{Cloud, Numbering, PointNumber};
 use crate::diagnostics::{Diagnostic, Position, Severity, Subject};
@@ -143,29 +144,9 @@ fn numbers_in_first_row(bytes: &[u8]) -> Option<usize> {
 fn read_labels(file: &str, bytes: &[u8], numbering: &Numbering) -> Segments {
     let mut findings = Findings::new(file, bytes);
     let mut labels = Vec::new();
-    let mut at = 0;
-    while let Some(&byte) = bytes.get(at) {
-        if is_whitespace(byte) || matches!(byte, b',' | b';') {
-            at += 1;
-            continue;
-        }
-        let rest = bytes.get(at..).unwrap_or_default();
-        if is_remark(byte) {
-            at += rest
-                .iter()
-                .take_while(|byte| !matches!(byte, b'\n' | b'\r'))
-                .count();
-            continue;
-        }
-        let length = rest
-            .iter()
-            .position(|&byte| is_whitespace(byte) || matches!(byte, b',' | b';'))
-            .unwrap_or(rest.len());
-        let word = rest.get(..length).unwrap_or_default();
-        let value = number::read(word, 0).filter(|&(_, end)| end == length);
-        let label = value
-            .map(|(value, _)| value)
-            .filter(|&value| is_label_value(value));
+    for (at, word) in Values::of(bytes) {
+        let value = number_of(word);
+        let label = value.filter(|&value| is_label_value(value));
         // The name of the column may stand before the first.
         if label.is_some() || !labels.is_empty() || value.is_some() {
             if label.is_none() {
@@ -174,7 +155,6 @@ fn read_labels(file: &str, bytes: &[u8], numbering: &Numbering) -> Segments {
             }
             labels.push(label.map_or(NO_LABEL, |value| value as i32));
         }
-        at += length;
     }
     // A number of labels before them, as other files of rows begin.
     let rows = numbering.rows();

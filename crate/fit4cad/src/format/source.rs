@@ -13,15 +13,18 @@ pub enum Role {
     Parametric,
     /// `PCi_implicit.txt`: their surfaces in implicit form.
     Implicit,
+    /// `PCi_type.txt`: the type of each point, which nothing here writes.
+    Types,
 }
 
 impl Role {
-    /// All four.
-    pub const ALL: [Self; 4] = [
+    /// All five.
+    pub const ALL: [Self; 5] = [
         Self::Cloud,
         Self::Primitives,
         Self::Parametric,
         Self::Implicit,
+        Self::Types,
     ];
 
     /// The word for it in the names of files and folders; files of clouds go without.
@@ -31,6 +34,7 @@ impl Role {
             Self::Primitives => "primitives",
             Self::Parametric => "parametric",
             Self::Implicit => "implicit",
+            Self::Types => "types",
         }
     }
 
@@ -41,7 +45,13 @@ impl Role {
             Self::Primitives => "which points make up each primitive",
             Self::Parametric => "each primitive's surface, parametric form",
             Self::Implicit => "each primitive's surface, implicit form",
+            Self::Types => "the type of each point; a primitive is of that of most of its points",
         }
+    }
+
+    /// Whether models are written in such files: types stand in those of the surfaces.
+    pub const fn is_written(self) -> bool {
+        !matches!(self, Self::Types)
     }
 }
 

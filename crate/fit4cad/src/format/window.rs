@@ -66,6 +66,24 @@ impl<'t> Window<'t> {
         })
     }
 
+    /// A second one at the same place.
+    ///
+    /// # Errors
+    /// Why what is here cannot be had again.
+    pub(super) fn again(&self) -> Result<Self, String> {
+        let Some(text) = self.text else {
+            return Ok(Self {
+                bytes: self.bytes.clone(),
+                ..*self
+            });
+        };
+        let end = self.from + self.bytes.len() as u64;
+        Ok(Self {
+            bytes: text.read(self.from, end)?,
+            ..*self
+        })
+    }
+
     /// What is here.
     pub(super) fn bytes(&self) -> &[u8] {
         &self.bytes
@@ -131,6 +149,56 @@ impl<'t> Window<'t> {
         let offset = offset.min(self.bytes.len());
         self.drop_before(offset);
         self.read_on()
+    }
+
+    /// Goes on to the next piece behind an offset, which stays that of the same byte; whether there is one.
+    ///
+    /// # Errors
+    /// Why it cannot be had.
+    pub(super) fn advance(&mut self, at: &mut usize) -> Result<bool, String> {
+        if self.is_last() {
+            return Ok(false);
+        }
+        let gone = (*at).min(self.bytes.len());
+        self.move_on(gone)?;
+        *at -= gone;
+        Ok(true)
+    }
+
+    /// So many bytes at an offset, which moves behind them; `None` where the file ends before.
+    ///
+    /// # Errors
+    /// Why they cannot be had.
+    pub(super) fn row(&mut self, at: &mut usize, size: usize) -> Result<Option<&[u8]>, String> {
+        while self.bytes.len() < at.saturating_add(size) {
+            if !self.advance(at)? {
+                return Ok(None);
+            }
+        }
+        let start = *at;
+        *at += size;
+        Ok(self.bytes.get(start..*at))
+    }
+
+    /// Hands over every line from an offset on, without what ends it, until `take` has enough. Between the two bytes of
+    /// `\r\n` there is an empty one.
+    ///
+    /// # Errors
+    /// Why they cannot be had.
+    pub(super) fn each_line(
+        &mut self,
+        mut at: usize,
+        mut take: impl FnMut(&[u8]) -> bool,
+    ) -> Result<(), String> {
+        loop {
+            let end = self.line_end(at)?;
+            let lines = self.bytes.get(at..end).unwrap_or_default();
+            if !lines.split(|&byte| is_line_end(byte)).all(&mut take) || self.is_last() {
+                return Ok(());
+            }
+            at = self.let_go(end);
+            self.read_on()?;
+        }
     }
 
     /// Reads on until so many bytes are here, or all there are.

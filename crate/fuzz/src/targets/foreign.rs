@@ -2,6 +2,7 @@
 
 use fit4cad::export::{About, Export, write};
 use fit4cad::format::foreign::{Content, Purpose, read_foreign};
+use fit4cad::format::read_foreign_cloud_by_pieces;
 use fit4cad::format::{read_answer, read_cloud, write_answer};
 
 use super::{MIB, text};
@@ -44,6 +45,11 @@ pub const FOREIGN: Target = Target {
                 text::check_findings(&found);
                 match content {
                     Content::Cloud(file) => {
+                        let piece = 1 + input.len() % 61;
+                        let pieced = read_foreign_cloud_by_pieces(name, input, piece);
+                        if let Some(pieced) = pieced.filter(|_| purpose == Purpose::Truth) {
+                            assert_eq!(pieced, (file.clone(), found), "by pieces of {piece}");
+                        }
                         text::check_points(&file.cloud);
                         for segment in file.segments.iter().flatten() {
                             text::check_list(&segment.points, file.cloud.len());

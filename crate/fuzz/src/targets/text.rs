@@ -278,7 +278,7 @@ pub const ROUND_TRIP: Target = Target {
     ..READER
 };
 
-/// Reads a model of the files in an input: cloud, truth in three files, the three of method `M`.
+/// Reads a model of the files in an input: cloud, truth in three files, the three of method `M`, the types of both.
 pub fn read(input: &[u8]) -> (Model, Vec<Diagnostic>) {
     let roles = [
         Role::Cloud,
@@ -287,7 +287,9 @@ pub fn read(input: &[u8]) -> (Model, Vec<Diagnostic>) {
         Role::Implicit,
     ];
     let submitted = roles.iter().skip(1).map(|&role| (role, Some("M")));
+    let types = [(Role::Types, None), (Role::Types, Some("M"))];
     let kinds = roles.iter().map(|&role| (role, None)).chain(submitted);
+    let kinds = kinds.chain(types);
     let parts = input.split(|&byte| byte == BETWEEN);
     let files = kinds.zip(parts).map(|((role, method), bytes)| SourceFile {
         path: role.name(),

@@ -40,6 +40,12 @@ def is_step(path: str) -> bool:
     return _STEP_FILE.search(path) is not None
 
 
+def is_array_file(path: str) -> bool:
+    """Whether a file is called as HDF5 files are, which a module of its own opens."""
+    apart = (kind["endings"] for kind in declared()["fileKinds"] if kind["openedApart"])
+    return path.lower().endswith(tuple(f".{ending}" for endings in apart for ending in endings))
+
+
 def name_of_part(path: str) -> str:
     """The name of a STEP file without folders and endings: that of its model."""
     return _STEP_FILE.sub("", re.split(r"[/\\]", path)[-1])
@@ -226,7 +232,7 @@ def _opened(files: Iterable[File], problems: list[Diagnostic]) -> Iterator[File]
     """The files with every HDF5 file replaced by what it holds; of all of which the same is to be said, it is said once."""
     notes: dict[str, list[str]] = {}
     for file in files:
-        if not file.path.lower().endswith((".h5", ".hdf5")):
+        if not is_array_file(file.path):
             yield file
             continue
         try:

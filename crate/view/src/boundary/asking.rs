@@ -113,6 +113,7 @@ impl View {
         curve: &[f32],
         visible: bool,
     ) -> Result<JsValue, JsValue> {
+        self.finish();
         let side = Side::from_index(side);
         let (curve, _) = curve.as_chunks::<2>();
         let curve: Vec<Vec2> = curve.iter().copied().map(Vec2::from_array).collect();
@@ -162,6 +163,7 @@ impl View {
         region: Region,
         visible: bool,
     ) -> Result<Vec<u32>, JsValue> {
+        self.finish();
         let places = self.places_in(side, region, visible)?;
         let order = self.scene.cloud.get().order();
         let given = places
@@ -194,7 +196,7 @@ impl View {
             let origin = Vec2::new(pane.viewport.x as f32, pane.viewport.y as f32);
             let size = Vec2::new(pane.viewport.width as f32, pane.viewport.height as f32);
             let colouring = self.scene.colouring(side);
-            let labels = colouring.labels().get();
+            let labels = colouring.labels().get().values();
             Ok(region
                 .moved(-origin)
                 .select(cloud.positions(), &sight.lens.view_projection, size)

@@ -15,15 +15,29 @@ use crate::scene::PointSize;
 #[wasm_bindgen]
 impl View {
     /// Replaces the cloud: x y z per point, relative to its centre. Labels, scalars and normals are
-    /// forgotten, and the camera frames the new cloud at once.
-    pub fn set_cloud(&mut self, coordinates: &[f32]) {
+    /// forgotten, and the camera frames the new cloud at once. What is given here and per point below is
+    /// seen as far as `proceed` has come.
+    pub fn set_cloud(&mut self, coordinates: Vec<f32>) {
         self.scene.set_cloud(coordinates);
         self.flight = None;
         self.scene.camera = self.scene.fitting(&self.frame);
     }
 
+    /// Brings so many more points, and what is said of as many, into the order in which they are drawn.
+    /// Returns whether that leaves some: pieces of a cloud of millions keep nobody waiting.
+    pub fn proceed(&mut self, points: usize) -> bool {
+        self.scene.proceed(points)
+    }
+
+    /// How many points each side in view can draw by now.
+    pub fn ready(&self) -> usize {
+        let panes = self.scene.panes(&self.frame);
+        let ready = panes.iter().map(|pane| self.scene.ready(pane.side));
+        ready.min().unwrap_or(0)
+    }
+
     /// Sets the normals, x y z per point.
-    pub fn set_normals(&mut self, components: &[f32]) {
+    pub fn set_normals(&mut self, components: Vec<f32>) {
         self.scene.set_normals(components);
     }
 
@@ -31,9 +45,11 @@ impl View {
     pub fn set_labels(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
-        labels: &[u32],
+        labels: Vec<u32>,
     ) {
-        self.scene.set_labels(Side::from_index(side), labels);
+        self.scene
+            .colouring_mut(Side::from_index(side))
+            .set_labels(labels);
     }
 
     /// Sets the colours of a side's labels, r g b per label.
@@ -62,9 +78,11 @@ impl View {
     pub fn set_scalars(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Side")] side: usize,
-        scalars: &[f32],
+        scalars: Vec<f32>,
     ) {
-        self.scene.set_scalars(Side::from_index(side), scalars);
+        self.scene
+            .colouring_mut(Side::from_index(side))
+            .set_scalars(scalars);
     }
 
     /// Sets the colour map of a side's scalars, r g b per step.
@@ -152,7 +170,15 @@ impl View {
     }
 
     /// Typical distance of neighbouring points, in the cloud's units.
-    pub fn spacing(&self) -> f32 {
+    pub fn spacing(&mut self) -> f32 {
+        self.finish();
         self.scene.cloud.get().spacing()
+    }
+}
+
+impl View {
+    /// Brings all that is left into order: whoever asks about the points asks about all of them.
+    pub(super) fn finish(&mut self) {
+        self.scene.proceed(usize::MAX);
     }
 }

@@ -120,6 +120,7 @@ impl View {
         pixel_ratio: f32,
         opacity: f32,
     ) -> Result<Vec<u8>, JsValue> {
+        self.finish();
         let frame = Frame {
             width,
             height,

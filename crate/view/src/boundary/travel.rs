@@ -1,6 +1,6 @@
 //! The camera: set, asked for, flown and moved by hand.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use wasm_bindgen::prelude::*;
 
 use super::View;
@@ -52,8 +52,19 @@ impl View {
         labels: &[u32],
         animated: bool,
     ) {
+        self.finish();
         let bounds = self.scene.bounds_of(Side::from_index(side), labels);
         self.frame_bounds(&bounds, animated);
+    }
+
+    /// Frames a box: its least x, y and z, then its greatest. One that is none changes nothing.
+    pub fn fit_box(&mut self, corners: &[f32], animated: bool) {
+        if let &[a, b, c, d, e, f] = corners {
+            let bounds = Bounds::new(Vec3::new(a, b, c), Vec3::new(d, e, f));
+            if !bounds.is_empty() {
+                self.frame_bounds(&bounds, animated);
+            }
+        }
     }
 
     /// Looks from a standpoint.

@@ -37,9 +37,7 @@ impl Palette {
             colouring.map().revision(),
         );
         if (self.uploaded.0, self.uploaded.1) != (revisions.0, revisions.1) {
-            let labels = colouring.labels().get();
-            let largest = labels.iter().copied().max().unwrap_or(0);
-            let texels = padded(colouring.table().get(), largest);
+            let texels = padded(colouring.table().get(), colouring.largest());
             let rows = texels.len() >> ROW_BITS;
             let rows = i32::try_from(rows).unwrap_or(i32::MAX);
             self.table

@@ -137,9 +137,45 @@ pub struct Points {
     positions: Buffer,
     normals: Buffer,
     sides: [SideBuffers; 2],
-    count: usize,
+    placed: Uploaded,
+    turned: Uploaded,
     has_normals: bool,
-    uploaded: (u64, u64),
+}
+
+/// How much of a list is on the graphics card.
+#[derive(Debug)]
+struct Uploaded {
+    revision: u64,
+    count: usize,
+}
+
+impl Uploaded {
+    fn nothing() -> Self {
+        Self {
+            revision: u64::MAX,
+            count: 0,
+        }
+    }
+
+    /// Uploads what has come since the last time of a list that will have so many values. Returns whether
+    /// it is another list than then.
+    fn sync<T: bytemuck::NoUninit>(
+        &mut self,
+        gl: &Gl,
+        buffer: &Buffer,
+        (revision, values, total): (u64, &[T], usize),
+    ) -> bool {
+        let is_other = self.revision != revision;
+        if is_other {
+            buffer.reserve::<T>(gl, total);
+            *self = Self { revision, count: 0 };
+        }
+        if let Some(new) = values.get(self.count..).filter(|new| !new.is_empty()) {
+            buffer.write(gl, self.count, new);
+            self.count = values.len();
+        }
+        is_other
+    }
 }
 
 #[derive(Debug)]
@@ -148,7 +184,8 @@ struct SideBuffers {
     labels: Buffer,
     scalars: Buffer,
     palette: Palette,
-    uploaded: (u64, u64),
+    labelled: Uploaded,
+    measured: Uploaded,
 }
 
 impl SideBuffers {
@@ -164,26 +201,26 @@ impl SideBuffers {
             labels,
             scalars,
             palette: Palette::new(gl)?,
-            uploaded: (u64::MAX, u64::MAX),
+            labelled: Uploaded::nothing(),
+            measured: Uploaded::nothing(),
         })
     }
 
-    fn sync(&mut self, gl: &Gl, colouring: &Colouring) {
+    fn sync(&mut self, gl: &Gl, colouring: &Colouring, total: usize) {
         let (labels, scalars) = (colouring.labels(), colouring.scalars());
-        if self.uploaded.0 != labels.revision() {
-            self.labels.upload(gl, labels.get());
-        }
-        if self.uploaded.1 != scalars.revision() {
-            self.scalars.upload(gl, scalars.get());
+        let values = (labels.revision(), labels.get().values(), total);
+        self.labelled.sync(gl, &self.labels, values);
+        let room = if scalars.get().is_wanted() { total } else { 0 };
+        let values = (scalars.revision(), scalars.get().values(), room);
+        if self.measured.sync(gl, &self.scalars, values) {
             self.array.bind(gl);
-            if scalars.get().is_empty() {
-                gl.disable_vertex_attrib_array(2);
-            } else {
+            if scalars.get().is_wanted() {
                 self.array.floats(gl, &self.scalars, 2, 1, 0, 0);
+            } else {
+                gl.disable_vertex_attrib_array(2);
             }
             gl.bind_vertex_array(None);
         }
-        self.uploaded = (labels.revision(), scalars.revision());
         self.palette.sync(gl, colouring);
     }
 }
@@ -212,35 +249,38 @@ impl Points {
             ],
             normals: Buffer::vertices(gl)?,
             positions,
-            count: 0,
+            placed: Uploaded::nothing(),
+            turned: Uploaded::nothing(),
             has_normals: false,
-            uploaded: (u64::MAX, u64::MAX),
         })
     }
 
-    /// Uploads what has changed since the last time.
+    /// Uploads what has changed or come since the last time.
     pub fn sync(&mut self, gl: &Gl, scene: &Scene) {
         let (cloud, normals) = (&scene.cloud, &scene.normals);
-        if self.uploaded.0 != cloud.revision() {
-            self.positions.upload(gl, cloud.get().positions());
-            self.count = cloud.get().len();
-        }
-        if self.uploaded.1 != normals.revision() {
-            self.normals.upload(gl, normals.get());
-            self.has_normals = !normals.get().is_empty();
+        let total = cloud.get().len();
+        let values = (cloud.revision(), cloud.get().positions(), total);
+        self.placed.sync(gl, &self.positions, values);
+        let is_wanted = normals.get().is_wanted();
+        let room = if is_wanted { total } else { 0 };
+        let values = (normals.revision(), normals.get().values(), room);
+        self.turned.sync(gl, &self.normals, values);
+        // Points are not tilted before all of them can be.
+        let has_normals = is_wanted && self.turned.count == total;
+        if self.has_normals != has_normals {
+            self.has_normals = has_normals;
             for side in &self.sides {
                 side.array.bind(gl);
-                if normals.get().is_empty() {
-                    gl.disable_vertex_attrib_array(3);
-                } else {
+                if has_normals {
                     side.array.signed_bytes(gl, &self.normals, 3);
+                } else {
+                    gl.disable_vertex_attrib_array(3);
                 }
             }
             gl.bind_vertex_array(None);
         }
-        self.uploaded = (cloud.revision(), normals.revision());
         for (side, colouring) in self.sides.iter_mut().zip(&scene.colourings) {
-            side.sync(gl, colouring);
+            side.sync(gl, colouring, total);
         }
     }
 
@@ -282,10 +322,11 @@ impl Points {
             count,
             clip,
         } = sight;
-        let count = i32::try_from(*count.min(&self.count)).unwrap_or(i32::MAX);
         let Some(side) = self.sides.get(pane.side.index()) else {
             return;
         };
+        let count = *count.min(&self.placed.count.min(side.labelled.count));
+        let count = i32::try_from(count).unwrap_or(i32::MAX);
         if count == 0 {
             return;
         }

@@ -87,6 +87,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
       <LiveView
         label={compared ? "The plate: on the left its faces, on the right what was found" : "The plate, a colour for each face"}
         layout={compared ? { kind: "split" } : { kind: "single", side: 0 }}
+        apart
         onView={(made) => (view.value = made)}
       >
         {compared && (

@@ -67,6 +67,8 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     positions.set(ghost, model.positions.length);
     const camera = drawn.camera;
     drawn.setCloud(positions);
+    // The copy that slides has none.
+    drawn.setNormals(model.normals);
     if (framed.current === drawn) drawn.setCamera(camera);
     else {
       drawn.lookFrom(Standpoint.Isometric, false);

@@ -44,6 +44,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     const drawn = view.value;
     if (!drawn || !shown) return;
     drawn.setCloud(shown.positions);
+    drawn.setNormals(shown.normals);
     drawn.colourByLabel(0);
     drawn.lookFrom(Standpoint.Isometric, false);
     drawn.turn(0, 0.35);

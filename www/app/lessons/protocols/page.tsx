@@ -51,6 +51,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     const [drawn, shown] = [view.value, state.part.value];
     if (!drawn || !shown) return;
     drawn.setCloud(shown.positions);
+    drawn.setNormals(shown.normals);
     drawn.setLabels(0, labelsOf(shown.positions.length / 3, shown.lists.members));
     drawn.setColours(0, bytes([UNSEGMENTED, ...shown.lists.members.map((_, place) => segmentColour(place))]));
     drawn.colourByLabel(0);

@@ -65,6 +65,7 @@ function Workbench({ session }: { session: Session }): JSX.Element {
     const drawn = view.value;
     if (!drawn || !shown) return;
     drawn.setCloud(shown.positions);
+    drawn.setNormals(shown.normals);
     const labels = new Uint32Array(shown.positions.length / 3);
     shown.lists.members.forEach((list, place) => list.forEach((point) => (labels[point] = place + 1)));
     drawn.setLabels(0, labels);

@@ -163,6 +163,11 @@ const LABEL_NAMES: [&str; 30] = [
 /// The meaning of a column's name, whatever its case and whatever joins its words (`Scalar field #2`,
 /// `v:primitive_index`, `Points:0`, `X [m]`).
 pub(in crate::format) fn meaning_of(name: &str) -> Meaning {
+    known(name).unwrap_or(Meaning::Other)
+}
+
+/// The meaning of a name that tells one.
+fn known(name: &str) -> Option<Meaning> {
     let bare = name.split('[').next().unwrap_or(name);
     let mut word: String = bare
         .chars()
@@ -174,7 +179,7 @@ pub(in crate::format) fn meaning_of(name: &str) -> Meaning {
     NAMES
         .into_iter()
         .find(|(_, names)| names.contains(&word.as_str()) || names.contains(&plain))
-        .map_or(Meaning::Other, |(meaning, _)| meaning)
+        .map(|(meaning, _)| meaning)
 }
 
 /// How well a name says that its column is of labels: the less the better; none where it does not.
@@ -231,6 +236,30 @@ impl Columns {
         })
     }
 
+    /// Where names tell of no labels: looks for some in columns whose names tell nothing (`Scalar field`), by the values of
+    /// some rows.
+    pub(in crate::format) fn look_for_labels<N: AsRef<str>>(
+        &mut self,
+        names: &[N],
+        rows: &[Vec<f64>],
+    ) {
+        if self.label.is_some() {
+            return;
+        }
+        let tells_nothing = |name: &N| known(name.as_ref()).is_none();
+        let open = names.iter().enumerate();
+        let open = open.filter(|(_, name)| tells_nothing(name));
+        let open: Vec<usize> = open
+            .map(|(column, _)| column)
+            .filter(|&column| self.meanings.get(column) == Some(&Meaning::Other))
+            .take(MOST_GUESSED)
+            .collect();
+        self.label = label_among(&open, self.coordinates, rows);
+        if let Some(meaning) = self.label.and_then(|at| self.meanings.get_mut(at)) {
+            *meaning = Meaning::Label;
+        }
+    }
+
     /// By the values of some rows, of which all have as many: coordinates come first. `labelled` where
     /// the kind of file says that its last column is of labels.
     pub(in crate::format) fn guessed(rows: &[Vec<f64>], labelled: bool) -> Self {
@@ -258,18 +287,8 @@ impl Columns {
             }
             at += 3;
         }
-        let points: Vec<Point> = rows
-            .iter()
-            .filter_map(|row| Some(Point::new(*row.first()?, *row.get(1)?, *row.get(2)?)))
-            .collect();
         let single = (3..count).filter(|&at| meanings.get(at) == Some(&Meaning::Other));
-        let label = single
-            .filter_map(|at| {
-                let values: Vec<f64> = column(at).collect();
-                Some((segments(&values, &points)?, at))
-            })
-            .max()
-            .map(|(_, at)| at);
+        let label = label_among(&single.collect::<Vec<_>>(), [0, 1, 2], rows);
         let label = match label {
             None if labelled && count > 3 && column(count - 1).all(is_label_value) => {
                 Some(count - 1)
@@ -354,6 +373,21 @@ fn is_of_bytes(mut values: impl Iterator<Item = f64>) -> bool {
 /// Columns whose values are looked at; programs write fewer, and further ones are not used.
 const MOST_GUESSED: usize = 32;
 
+/// Which of some columns is of labels, by the values of rows: of several the one of most segments.
+fn label_among(columns: &[usize], coordinates: [usize; 3], rows: &[Vec<f64>]) -> Option<usize> {
+    let value = |row: &Vec<f64>, at: usize| row.get(at).copied();
+    let points = rows.iter().filter_map(|row| {
+        let [x, y, z] = coordinates.map(|at| value(row, at));
+        Some(Point::new(x?, y?, z?))
+    });
+    let points: Vec<Point> = points.collect();
+    let likely = columns.iter().filter_map(|&at| {
+        let values: Vec<f64> = rows.iter().filter_map(|row| value(row, at)).collect();
+        Some((segments(&values, &points)?, at))
+    });
+    likely.max().map(|(_, at)| at)
+}
+
 /// How many segments the values make where they are labels: whole numbers that near points share far
 /// more often than any two points do. Quadratic in the number of points.
 fn segments(values: &[f64], points: &[Point]) -> Option<usize> {
@@ -424,6 +458,22 @@ mod tests {
             "normals in 4 to 6, colours in 7 to 9, labels in 10"
         );
         assert_eq!((columns.last(), columns.len()), (9, 10));
+    }
+
+    #[test]
+    fn a_name_that_tells_nothing_leaves_it_to_the_values() {
+        let rows = grid(|i, j| vec![(i / 7 + 3 * (j / 7)) as f64, (i * 20 + j) as f64]);
+        let look = |names: [&str; 5]| {
+            let mut columns = Columns::named(&names).unwrap();
+            columns.look_for_labels(&names, &rows);
+            columns.label
+        };
+        assert_eq!(
+            look(["x", "y", "z", "Scalar field", "Scalar field #2"]),
+            Some(3)
+        );
+        assert_eq!(look(["x", "y", "z", "intensity", "id"]), None);
+        assert_eq!(look(["x", "y", "z", "Scalar field", "label"]), Some(4));
     }
 
     #[test]

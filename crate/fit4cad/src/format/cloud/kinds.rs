@@ -108,6 +108,14 @@ pub(in crate::format) const TOO_MANY: Kind = Kind {
     expected: "at most 10,000,000 points",
     hint: "Thin the cloud",
 };
+pub(in crate::format) const ONE_A_ROW: Kind = Kind {
+    subject: Subject::File,
+    severity: Severity::Error,
+    message: "This is not a cloud but a number, or a name, for each point of one",
+    expected: "points",
+    hint: "Put it beside its cloud PC1.txt and call it PC1_labels.txt, or PC1_type.txt where it tells types; or set \
+           its model and its role, primitives or types",
+};
 pub(super) const COLUMNS: Kind = Kind {
     subject: Subject::Syntax,
     severity: Severity::Note,

@@ -40,6 +40,11 @@ impl<'a> Gather<'a> {
         &mut self.findings
     }
 
+    /// The points so far.
+    pub(super) fn points(&self) -> &[Point] {
+        &self.points
+    }
+
     /// Says what the columns are taken for, where there are more than coordinates.
     pub(super) fn tell_columns(&mut self, columns: &Columns) {
         let besides = columns.besides();

@@ -71,14 +71,8 @@ pub(super) fn read(
     }
     let mut at = head.start;
     while gather.rows() < rows && gather.has_room() {
-        let Some(row) = window.bytes().get(at..at + head.record) else {
-            if window.is_last() {
-                break;
-            }
-            let from = at.min(window.bytes().len());
-            window.move_on(from)?;
-            at -= from;
-            continue;
+        let Some(row) = window.row(&mut at, head.record)? else {
+            break;
         };
         let axis = |axis: usize| {
             let count = COORDINATE.read(row, 4 * axis).unwrap_or(f64::NAN);
@@ -86,7 +80,6 @@ pub(super) fn read(
         };
         let label = label.and_then(|&(_, scalar, at)| scalar.read(row, head.own + at));
         gather.push([axis(0), axis(1), axis(2)], label);
-        at += head.record;
     }
     if (gather.rows() as u64) < head.points && gather.has_room() {
         let found = format!("{} points of {}", gather.rows(), head.points);

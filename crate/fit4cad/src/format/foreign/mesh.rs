@@ -1,11 +1,13 @@
 //! Vertices of meshes: OBJ and STL.
 
+use super::distinct::Distinct;
 use super::gather::Gather;
 use super::kinds::CUT_OFF;
 use crate::diagnostics::Diagnostic;
 use crate::format::cloud::CloudFile;
 use crate::format::findings::Findings;
 use crate::format::number;
+use crate::format::window::Window;
 
 /// Whether a text is Wavefront's OBJ: its first line that is no remark begins as one of OBJ's does,
 /// and a vertex follows.
@@ -49,26 +51,53 @@ fn numbers(words: &[u8]) -> [f64; 3] {
 }
 
 /// The vertices of an OBJ file, numbered as its faces number them.
-pub(super) fn read_obj(findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
-    // A vertex takes eight bytes at least: `v 0 0 0` and the end of its line.
-    let mut gather = Gather::new(findings, bytes.len() / 24, false);
-    for line in bytes.split(|&byte| matches!(byte, b'\n' | b'\r')) {
-        let line = line.trim_ascii_start();
-        if let Some(rest) = line.strip_prefix(b"v")
-            && rest.first().is_some_and(u8::is_ascii_whitespace)
-        {
-            if !gather.has_room() {
-                break;
-            }
-            gather.push(numbers(rest), None);
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read_obj(
+    findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    // Counted first, for room to be made that is large enough and no larger.
+    let mut count = 0;
+    window.again()?.each_line(0, |line| {
+        count += usize::from(vertex(line).is_some());
+        true
+    })?;
+    let mut gather = Gather::new(findings, count, false);
+    window.each_line(0, |line| {
+        let Some(numbers) = vertex(line) else {
+            return true;
+        };
+        let has_room = gather.has_room();
+        if has_room {
+            gather.push(self::numbers(numbers), None);
         }
-    }
-    gather.finish()
+        has_room
+    })?;
+    Ok(gather.finish())
+}
+
+/// What follows `v` in a line of OBJ that is a vertex.
+fn vertex(line: &[u8]) -> Option<&[u8]> {
+    let rest = line.trim_ascii_start().strip_prefix(b"v")?;
+    rest.first()
+        .is_some_and(u8::is_ascii_whitespace)
+        .then_some(rest)
 }
 
 /// Bytes of a triangle in binary STL, and of what comes before the first.
 const TRIANGLE: usize = 50;
 const STL_HEAD: usize = 84;
+
+/// What a triangle takes in text, about.
+const TRIANGLE_OF_TEXT: u64 = 250;
+
+/// Vertices of so many triangles: of a closed surface half as many, and two more for each shell (Euler). Room for
+/// a few more is left, as too little would be made twice as large.
+fn vertices_of(triangles: u64) -> usize {
+    usize::try_from(triangles / 2 + triangles / 16 + 16).unwrap_or(usize::MAX)
+}
 
 /// How many triangles a binary STL says it has, where its length says so too, or nearly.
 fn triangles(bytes: &[u8]) -> Option<usize> {
@@ -89,80 +118,61 @@ pub(super) fn is_binary_stl(head: &[u8], size: u64) -> bool {
 
 /// Whether bytes are STL, text or binary.
 pub(super) fn is_stl(bytes: &[u8], named: bool) -> bool {
-    let text = || {
-        let window = bytes.get(..1 << 12).unwrap_or(bytes);
-        let lower = window.to_ascii_lowercase();
-        lower.trim_ascii_start().starts_with(b"solid")
-            && lower.windows(5).any(|five| five == b"facet")
-    };
-    triangles(bytes).is_some() || text() || (named && bytes.len() >= STL_HEAD)
+    triangles(bytes).is_some() || is_text_stl(bytes) || (named && bytes.len() >= STL_HEAD)
+}
+
+fn is_text_stl(bytes: &[u8]) -> bool {
+    let window = bytes.get(..1 << 12).unwrap_or(bytes);
+    let lower = window.to_ascii_lowercase();
+    lower.trim_ascii_start().starts_with(b"solid") && lower.windows(5).any(|five| five == b"facet")
 }
 
 /// The distinct vertices of an STL file, in the order in which they first come.
-pub(super) fn read_stl(mut findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
-    let mut corners: Vec<[f64; 3]> = Vec::new();
-    let lower_head: Vec<u8> = bytes.get(..1 << 12).unwrap_or(bytes).to_ascii_lowercase();
-    let is_text = triangles(bytes).is_none()
-        && lower_head.trim_ascii_start().starts_with(b"solid")
-        && lower_head.windows(5).any(|five| five == b"facet");
-    if is_text {
-        for line in bytes.split(|&byte| matches!(byte, b'\n' | b'\r')) {
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read_stl(
+    mut findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    window.reach(1 << 12)?;
+    if !is_binary_stl(window.bytes(), window.size()) && is_text_stl(window.bytes()) {
+        let room = vertices_of(window.size() / TRIANGLE_OF_TEXT);
+        let mut vertices = Distinct::new(Gather::new(findings, room, false));
+        window.each_line(0, |line| {
             let line = line.trim_ascii_start();
-            if let Some((word, rest)) = line.split_at_checked(6)
-                && word.eq_ignore_ascii_case(b"vertex")
-            {
-                corners.push(numbers(rest));
+            match line.split_at_checked(6) {
+                Some((word, rest)) if word.eq_ignore_ascii_case(b"vertex") => {
+                    vertices.push(numbers(rest))
+                }
+                _ => true,
             }
-        }
-    } else {
-        let there = bytes.len().saturating_sub(STL_HEAD) / TRIANGLE;
-        let said = bytes.get(80..84).and_then(|four| four.try_into().ok());
-        let said = said.map_or(0, u32::from_le_bytes) as usize;
-        if said > there {
-            findings.add_whole(&CUT_OFF, format!("{there} triangles of {said}"));
-        }
-        for triangle in bytes
-            .get(STL_HEAD..)
-            .unwrap_or_default()
-            .chunks_exact(TRIANGLE)
-            .take(said)
-        {
-            let (floats, _) = triangle.as_chunks::<4>();
-            let floats: Vec<f64> = floats
-                .iter()
-                .map(|&four| f64::from(f32::from_le_bytes(four)))
-                .collect();
-            let (_, vertices) = floats.split_at(3);
-            corners.extend(vertices.as_chunks::<3>().0);
-        }
+        })?;
+        return Ok(vertices.finish());
     }
-    let kept = first_of_each(&corners);
-    let mut gather = Gather::new(findings, kept.len(), false);
-    for &place in &kept {
-        if !gather.has_room() {
+    let there = window.size().saturating_sub(STL_HEAD as u64) / TRIANGLE as u64;
+    let said = window
+        .bytes()
+        .get(80..84)
+        .and_then(|four| four.try_into().ok());
+    let said = u64::from(said.map_or(0, u32::from_le_bytes));
+    if said > there {
+        findings.add_whole(&CUT_OFF, format!("{there} triangles of {said}"));
+    }
+    let room = vertices_of(said.min(there));
+    let mut vertices = Distinct::new(Gather::new(findings, room, false));
+    let mut at = STL_HEAD;
+    for _ in 0..said {
+        let Some(triangle) = window.row(&mut at, TRIANGLE)? else {
+            break;
+        };
+        // The first three are the normal.
+        let (floats, _) = triangle.as_chunks::<4>();
+        let (corners, _) = floats.get(3..).unwrap_or_default().as_chunks::<3>();
+        let corner = |four: [u8; 4]| f64::from(f32::from_le_bytes(four));
+        if !corners.iter().all(|it| vertices.push(it.map(corner))) {
             break;
         }
-        gather.push(
-            corners
-                .get(place as usize)
-                .copied()
-                .unwrap_or([f64::NAN; 3]),
-            None,
-        );
     }
-    gather.finish()
-}
-
-/// Places of the first of equal corners, in their order. O(n log n).
-fn first_of_each(corners: &[[f64; 3]]) -> Vec<u32> {
-    let key = |place: u32| {
-        let corner = corners.get(place as usize).copied().unwrap_or_default();
-        // A zero is one whatever its sign.
-        corner.map(|value| (value + 0.0).to_bits())
-    };
-    let mut places: Vec<u32> = (0u32..).take(corners.len()).collect();
-    places.sort_by_key(|&place| (key(place), place));
-    places.dedup_by_key(|place| key(*place));
-    places.sort_unstable();
-    places
+    Ok(vertices.finish())
 }

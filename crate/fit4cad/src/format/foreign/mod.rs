@@ -1,6 +1,7 @@
 //! Reading what other programs write: PLY, PCD, LAS, OBJ, STL, NumPy's arrays, vertex groups, and any of
 //! them packed by gzip. What a file is, is told by how it begins.
 
+mod distinct;
 mod gather;
 mod gzip;
 mod kinds;
@@ -15,6 +16,8 @@ mod scalar;
 mod vg;
 mod zip;
 
+#[cfg(test)]
+mod streaming;
 #[cfg(test)]
 mod tests;
 
@@ -139,11 +142,17 @@ fn read_kind(
             of_cloud((CloudFile::default(), findings.finish()))
         }
         Kind::Ply => of_cloud(in_memory(ply::read(findings, &mut Window::whole(bytes)))),
-        Kind::Pcd => of_cloud(pcd::read(findings, bytes)),
+        Kind::Pcd => of_cloud(in_memory(pcd::read(findings, &mut Window::whole(bytes)))),
         Kind::Las => of_cloud(in_memory(las::read(findings, &mut Window::whole(bytes)))),
-        Kind::Stl => of_cloud(mesh::read_stl(findings, bytes)),
+        Kind::Stl => of_cloud(in_memory(mesh::read_stl(
+            findings,
+            &mut Window::whole(bytes),
+        ))),
         Kind::Groups => of_cloud(vg::read(findings, bytes)),
-        Kind::Obj => of_cloud(mesh::read_obj(findings, bytes)),
+        Kind::Obj => of_cloud(in_memory(mesh::read_obj(
+            findings,
+            &mut Window::whole(bytes),
+        ))),
     })
 }
 
@@ -161,12 +170,29 @@ pub(super) fn read_by_pieces(
     window: &mut Window<'_>,
 ) -> Result<Option<(CloudFile, Vec<Diagnostic>)>, String> {
     let findings = Findings::new(file, &[]);
-    Ok(match kind_of(file, window.bytes()) {
+    let mut kind = kind_of(file, window.bytes());
+    if !matches!(kind, Some(Kind::Ply | Kind::Las)) {
+        window.reach(LONGEST_HEAD)?;
+        kind = kind_of(file, window.bytes());
+    }
+    let head = window.bytes();
+    if mesh::is_binary_stl(head, window.size()) {
+        kind = Some(Kind::Stl);
+    }
+    Ok(match kind {
         Some(Kind::Ply) => Some(ply::read(findings, window)?),
+        Some(Kind::Pcd) if !pcd::is_compressed(head) => Some(pcd::read(findings, window)?),
         Some(Kind::Las) => Some(las::read(findings, window)?),
+        Some(Kind::Array) => numpy::read_rows(findings, window)?,
+        Some(Kind::Stl) => Some(mesh::read_stl(findings, window)?),
+        Some(Kind::Obj) => Some(mesh::read_obj(findings, window)?),
+        // Archives and groups refer to places all over themselves.
         _ => None,
     })
 }
+
+/// Most bytes by which a kind of file is told.
+const LONGEST_HEAD: usize = 1 << 16;
 
 /// What HDF5 begins with.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";

@@ -1,9 +1,11 @@
 //! NumPy's `.npy`: one array, its shape and type in a head of text. Python objects are never opened.
 
+use std::borrow::Cow;
+
 use super::scalar::{Kind, Scalar};
 
 /// Longest head that is read, in bytes.
-const LONGEST_HEAD: usize = 1 << 16;
+pub(super) const LONGEST_HEAD: usize = 1 << 16;
 
 /// An array of numbers, or of rows of named numbers.
 #[derive(Debug, Clone)]
@@ -17,7 +19,11 @@ pub(super) struct Array<'a> {
     element_size: usize,
     /// Whether the first index runs fastest.
     fortran: bool,
-    data: &'a [u8],
+    /// Elements from a row to the next, and from a column to the next, of the axes that are longer than one.
+    strides: (usize, usize),
+    /// Offset of the numbers in the file.
+    start: usize,
+    data: Cow<'a, [u8]>,
 }
 
 /// Why an array is not read.
@@ -32,7 +38,15 @@ pub(super) enum Unread {
 }
 
 impl<'a> Array<'a> {
+    /// All of it.
     pub(super) fn read(bytes: &'a [u8]) -> Result<Self, Unread> {
+        let mut array = Self::head(bytes, bytes.len() as u64)?;
+        array.data = Cow::Borrowed(bytes.get(array.start..).unwrap_or_default());
+        Ok(array)
+    }
+
+    /// The array without its numbers, of a file of so many bytes by its first ones.
+    pub(super) fn head(bytes: &[u8], size: u64) -> Result<Self, Unread> {
         let wrong = |what: &str| Unread::Head(what.to_owned());
         let (length, start) = match *bytes {
             [_, _, _, _, _, _, 1, _, a, b, ..] => (usize::from(u16::from_le_bytes([a, b])), 10),
@@ -65,25 +79,57 @@ impl<'a> Array<'a> {
             fields.push((scalar, element_size));
             element_size += scalar.size;
         }
-        let array = Self {
+        let mut array = Self {
             shape,
             names,
             fields,
             element_size,
             fortran,
-            data: bytes.get(start + length..).unwrap_or_default(),
+            strides: (1, 1),
+            start: start + length,
+            data: Cow::Borrowed(&[]),
+        };
+        array.strides = match array.squeezed()[..] {
+            [_, columns] if !fortran => (columns, 1),
+            [rows, _] => (1, rows),
+            // One row of columns, or one column of rows.
+            _ => (1, 1),
         };
         let needed = array
             .count()
             .and_then(|count| count.checked_mul(element_size));
+        let there = size.saturating_sub(array.start as u64);
         match needed {
-            Some(needed) if needed <= array.data.len() && element_size > 0 => Ok(array),
-            Some(needed) => Err(Unread::CutOff(format!(
-                "{} bytes of {needed}",
-                array.data.len()
-            ))),
+            Some(needed) if needed as u64 <= there && element_size > 0 => Ok(array),
+            Some(needed) => Err(Unread::CutOff(format!("{there} bytes of {needed}"))),
             None => Err(Unread::CutOff(format!("shape {:?}", array.shape))),
         }
+    }
+
+    /// Offset of the numbers in the file.
+    pub(super) fn start(&self) -> usize {
+        self.start
+    }
+
+    /// Bytes of a row, where rows lie one after another.
+    pub(super) fn row_size(&self) -> Option<usize> {
+        match self.shape[..] {
+            [_] if self.names.len() > 1 => Some(self.element_size),
+            [_, columns] if self.names.len() == 1 && !self.fortran => {
+                self.element_size.checked_mul(columns)
+            }
+            _ => None,
+        }
+    }
+
+    /// A number of a row by its bytes, where rows lie one after another.
+    pub(super) fn in_row(&self, row: &[u8], column: usize) -> f64 {
+        let field = if self.names.len() > 1 { column } else { 0 };
+        let value = self.fields.get(field).and_then(|&(scalar, offset)| {
+            let before = if field == column { 0 } else { column };
+            scalar.read(row, before.checked_mul(self.element_size)? + offset)
+        });
+        value.unwrap_or(f64::NAN)
     }
 
     /// How many elements; `None` where that is beyond counting.
@@ -113,16 +159,15 @@ impl<'a> Array<'a> {
     /// element of a row of named numbers.
     pub(super) fn at(&self, row: usize, column: usize) -> f64 {
         let plain = self.fields.len() == 1;
-        let place = match self.squeezed()[..] {
-            [_, columns] if plain && !self.fortran => row * columns + column,
-            [rows, _] if plain => column * rows + row,
-            // One row of columns, or one column of rows.
-            _ if plain => row + column,
-            _ => row,
+        let (rows, columns) = self.strides;
+        let place = if plain {
+            row * rows + column * columns
+        } else {
+            row
         };
         let field = if plain { 0 } else { column };
         let value = self.fields.get(field).and_then(|&(scalar, offset)| {
-            scalar.read(self.data, place.checked_mul(self.element_size)? + offset)
+            scalar.read(&self.data, place.checked_mul(self.element_size)? + offset)
         });
         value.unwrap_or(f64::NAN)
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::gather::Gather;
 use super::kinds::{BAD_HEADER, CUT_OFF, NO_COORDINATES, PACKED_BADLY, PICKLED};
-use super::npy::{Array, Unread};
+use super::npy::{Array, LONGEST_HEAD, Unread};
 use super::zip;
 use super::{Content, Purpose};
 use crate::diagnostics::Diagnostic;
@@ -12,10 +12,15 @@ use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::Findings;
 use crate::format::labels::NO_LABEL;
 use crate::format::labels::is_label_value;
+use crate::format::types;
+use crate::format::window::Window;
 use crate::surface::SurfaceType;
 
 /// Rows by which columns are told.
 const SAMPLES: usize = 1024;
+
+/// Columns that are looked at, where they have no names.
+const MOST_COLUMNS: usize = 32;
 
 /// Reads one array.
 pub(super) fn read_array(mut findings: Findings<'_>, bytes: &[u8]) -> (Content, Vec<Diagnostic>) {
@@ -72,13 +77,27 @@ pub(super) fn read_archive(
     let rows = points
         .and_then(|(_, array)| shape(array))
         .map(|(rows, ..)| rows);
-    let labels = arrays
-        .iter()
-        .filter_map(|(name, array)| Some((rank(name, purpose)?, *name, labels_of(array)?)))
-        .filter(|(_, _, labels)| rows.is_none_or(|rows| labels.len() == rows))
-        .min_by_key(|(rank, ..)| *rank)
-        .map(|(_, name, labels)| (name, labels));
-    let kinds = kinds_of(&arrays);
+    let fits = |labels: &Vec<i32>| rows.is_none_or(|rows| labels.len() == rows);
+    let named = arrays.iter().filter_map(|(name, array)| {
+        let rank = rank(name, purpose)?;
+        Some((rank, *name, labels_of(array).filter(fits)?))
+    });
+    let named = named.min_by_key(|(rank, ..)| *rank);
+    // Where nobody gave names, the first whole numbers that are one a row are labels.
+    let nameless = || {
+        let mut nameless = arrays.iter().filter(|(name, _)| name.starts_with("arr_"));
+        nameless.find_map(|(name, array)| {
+            let labels = labels_of(array).filter(|_| array.is_whole());
+            Some((*name, labels.filter(fits)?))
+        })
+    };
+    let labels = named
+        .map(|(_, name, labels)| (name, labels))
+        .or_else(nameless);
+    let mut kinds = kinds_of(&arrays);
+    if let (Some((_, labels)), true) = (&labels, kinds.is_empty()) {
+        kinds = kinds_of_points(&arrays, labels, purpose);
+    }
     match (points, labels) {
         (Some((_, array)), labels) => {
             let labels = labels.map(|(_, labels)| labels);
@@ -117,6 +136,30 @@ fn kinds_of(arrays: &[(&str, Array<'_>)]) -> BTreeMap<u32, SurfaceType> {
         Some((number as u32, *kind))
     });
     kinds.collect()
+}
+
+/// The types of segments, where an array of a network's tells the type of each point.
+fn kinds_of_points(
+    arrays: &[(&str, Array<'_>)],
+    labels: &[i32],
+    purpose: Purpose,
+) -> BTreeMap<u32, SurfaceType> {
+    let named = arrays.iter().filter_map(|(name, array)| {
+        let is_one_a_row = array.squeezed() == [labels.len()] && array.names.len() == 1;
+        let named = types::named(name).filter(|_| is_one_a_row)?;
+        Some((named, array))
+    });
+    let best = named.min_by_key(|(named, _)| (named.whose != purpose, named.rank));
+    let Some((named, array)) = best else {
+        return BTreeMap::new();
+    };
+    let numbers: Vec<f64> = (0..labels.len()).map(|row| array.at(row, 0)).collect();
+    let Some(coding) = named.coding_of(numbers.iter().copied()) else {
+        return BTreeMap::new();
+    };
+    let types = types::of_labels(labels, &numbers, coding).into_iter();
+    let known = types.filter_map(|(label, kind)| Some((u32::try_from(label).ok()?, kind?)));
+    known.collect()
 }
 
 /// How well a name says that an array is of the labels wanted; the less the better.
@@ -193,21 +236,14 @@ fn cloud(
             array.at(row, column)
         }
     };
-    let columns = if array.names.len() > 1 {
-        Columns::named(&array.names)
-    } else {
-        let samples = rows.min(SAMPLES);
-        let rows: Vec<Vec<f64>> = (0..samples)
-            .map(|k| k * rows / samples)
-            .map(|row| {
-                (0..count.min(32))
-                    .map(|column| value(row, column))
-                    .collect()
-            })
-            .collect();
-        Some(Columns::guessed(&rows, false))
-    };
-    let Some(columns) = columns else {
+    let samples = rows.min(SAMPLES);
+    let samples = (0..samples).map(|k| k * rows / samples);
+    let samples = samples.map(|row| {
+        (0..count.min(MOST_COLUMNS))
+            .map(|at| value(row, at))
+            .collect()
+    });
+    let Some(columns) = columns_of(array, samples.collect()) else {
         findings.add_whole(&NO_COORDINATES, String::new());
         return (CloudFile::default(), findings.finish());
     };
@@ -225,6 +261,61 @@ fn cloud(
         gather.push(columns.coordinates.map(|column| value(row, column)), label);
     }
     gather.finish()
+}
+
+/// What the columns of an array hold, by their names or by some of its rows.
+fn columns_of(array: &Array<'_>, samples: Vec<Vec<f64>>) -> Option<Columns> {
+    if array.names.len() > 1 {
+        Columns::named(&array.names)
+    } else {
+        Some(Columns::guessed(&samples, false))
+    }
+}
+
+/// Reads a long array of points, piece by piece; `None` where it is none whose rows lie one after another. Columns one
+/// after another are held, and so are archives, whose arrays lie packed.
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read_rows(
+    findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<Option<(CloudFile, Vec<Diagnostic>)>, String> {
+    window.reach(LONGEST_HEAD)?;
+    let Ok(array) = Array::head(window.bytes(), window.size()) else {
+        return Ok(None);
+    };
+    let (Some((rows, count @ 3.., false)), Some(size)) = (shape(&array), array.row_size()) else {
+        return Ok(None);
+    };
+    let many = rows.min(SAMPLES);
+    let mut samples = Vec::with_capacity(many);
+    for row in (0..many).map(|k| k * rows / many) {
+        let place = (array.start() + row * size) as u64;
+        let sample = window.look_at(place, |bytes, all| {
+            let row = bytes.get(..size);
+            let numbers = row.map(|row| {
+                let columns = 0..count.min(MOST_COLUMNS);
+                columns.map(|column| array.in_row(row, column)).collect()
+            });
+            numbers.or(all.then(Vec::new))
+        })?;
+        samples.extend(sample);
+    }
+    let Some(columns) = columns_of(&array, samples) else {
+        return Ok(None);
+    };
+    let mut gather = Gather::new(findings, rows, columns.label.is_some());
+    gather.tell_columns(&columns);
+    let mut at = array.start();
+    while gather.rows() < rows && gather.has_room() {
+        let Some(row) = window.row(&mut at, size)? else {
+            break;
+        };
+        let value = |column: usize| array.in_row(row, column);
+        gather.push(columns.coordinates.map(value), columns.label.map(value));
+    }
+    Ok(Some(gather.finish()))
 }
 
 /// The labels that an array of one number a point is.

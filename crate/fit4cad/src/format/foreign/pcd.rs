@@ -1,7 +1,5 @@
 //! PCD of the Point Cloud Library, version 0.7 and before: text, binary, or compressed by LZF.
 
-use std::borrow::Cow;
-
 use super::gather::Gather;
 use super::kinds::{BAD_HEADER, CUT_OFF, NO_COORDINATES, PACKED_BADLY};
 use super::lzf;
@@ -11,6 +9,7 @@ use crate::format::cloud::{CloudFile, Columns};
 use crate::format::findings::Findings;
 use crate::format::limits::MAX_FILE_BYTES;
 use crate::format::number;
+use crate::format::window::Window;
 
 /// Longest head that is read, in bytes.
 const LONGEST_HEAD: usize = 1 << 16;
@@ -41,68 +40,98 @@ struct Head {
     points: Option<u64>,
 }
 
-/// Reads a PCD file.
-pub(super) fn read(mut findings: Findings<'_>, bytes: &[u8]) -> (CloudFile, Vec<Diagnostic>) {
-    let (head, data, start) = match Head::read(bytes) {
+/// Reads a PCD file; what is compressed lies column after column in one block, and is held whole.
+///
+/// # Errors
+/// Why the file cannot be had to its end.
+pub(super) fn read(
+    mut findings: Findings<'_>,
+    window: &mut Window<'_>,
+) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    let nothing = |findings: Findings<'_>| Ok((CloudFile::default(), findings.finish()));
+    window.reach(LONGEST_HEAD)?;
+    let (head, data, start) = match Head::read(window.bytes()) {
         Ok(read) => read,
         Err(line) => {
             findings.add_whole(&BAD_HEADER, line);
-            return (CloudFile::default(), findings.finish());
+            return nothing(findings);
         }
     };
     let Some((names, layout, row_size)) = head.layout() else {
         findings.add_whole(&BAD_HEADER, head.fields.join(" "));
-        return (CloudFile::default(), findings.finish());
+        return nothing(findings);
     };
     let has = |axis: &str| names.iter().any(|name| name.eq_ignore_ascii_case(axis));
     let columns = Columns::named(&names).filter(|_| has("x") && has("y") && has("z"));
     let Some(columns) = columns else {
         findings.add_whole(&NO_COORDINATES, names.join(" "));
-        return (CloudFile::default(), findings.finish());
+        return nothing(findings);
     };
     let said = head
         .points
         .unwrap_or(head.width.saturating_mul(head.height.max(1)));
-    let rest = bytes.get(start..).unwrap_or_default();
     let body = match data {
-        Data::Compressed => match unpacked(rest) {
-            Some(body) => Cow::Owned(body),
-            None => {
+        Data::Compressed => {
+            window.reach(usize::MAX)?;
+            let Some(body) = unpacked(window.bytes().get(start..).unwrap_or_default()) else {
                 findings.add_whole(&PACKED_BADLY, String::new());
-                return (CloudFile::default(), findings.finish());
-            }
-        },
-        Data::Text | Data::Binary => Cow::Borrowed(rest),
+                return nothing(findings);
+            };
+            Some(body)
+        }
+        Data::Text | Data::Binary => None,
     };
     let least = if data == Data::Text { 2 } else { row_size };
-    let there = body.len() / least.max(1);
-    let rows = usize::try_from(said).unwrap_or(usize::MAX).min(there);
+    let rest = window.size().saturating_sub(start as u64);
+    let there = body.as_ref().map_or(rest, |body| body.len() as u64) / least.max(1) as u64;
+    let rows = usize::try_from(said.min(there)).unwrap_or(usize::MAX);
     let mut gather = Gather::new(findings, rows, columns.label.is_some());
     gather.tell_columns(&columns);
-    if data == Data::Text {
-        text(&mut gather, &body, said, &columns);
-    } else {
-        binary(
-            &mut gather,
-            &body,
-            rows,
-            &columns,
-            &layout,
-            (data, row_size),
-        );
+    match (data, body) {
+        (Data::Text, _) => text(&mut gather, window, start, said, &columns)?,
+        (_, Some(body)) => by_columns(&mut gather, &body, rows, &columns, &layout),
+        (_, None) => {
+            let mut at = start;
+            while gather.rows() < rows && gather.has_room() {
+                let Some(row) = window.row(&mut at, row_size)? else {
+                    break;
+                };
+                let value = |column: usize| {
+                    let Column { scalar, offset } = *layout.get(column)?;
+                    scalar.read(row, offset)
+                };
+                push(&mut gather, &columns, value);
+            }
+        }
     }
     if (gather.rows() as u64) < said && gather.has_room() {
         let found = format!("{} points of {said}", gather.rows());
         gather.findings().add_whole(&CUT_OFF, found);
     }
-    gather.finish()
+    Ok(gather.finish())
 }
 
-fn text(gather: &mut Gather<'_>, body: &[u8], said: u64, columns: &Columns) {
-    let lines = body.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
-    for line in lines.filter(|line| !line.is_empty()) {
+fn push(gather: &mut Gather<'_>, columns: &Columns, value: impl Fn(usize) -> Option<f64>) {
+    let row = columns
+        .coordinates
+        .map(|column| value(column).unwrap_or(f64::NAN));
+    gather.push(row, columns.label.and_then(value));
+}
+
+fn text(
+    gather: &mut Gather<'_>,
+    window: &mut Window<'_>,
+    start: usize,
+    said: u64,
+    columns: &Columns,
+) -> Result<(), String> {
+    window.each_line(start, |line| {
+        let line = line.trim_ascii();
+        if line.is_empty() {
+            return true;
+        }
         if gather.rows() as u64 >= said || !gather.has_room() {
-            return;
+            return false;
         }
         let mut row = [f64::NAN; 3];
         let mut label = None;
@@ -119,33 +148,27 @@ fn text(gather: &mut Gather<'_>, body: &[u8], said: u64, columns: &Columns) {
             }
         }
         gather.push(row, label);
-    }
+        true
+    })
 }
 
-fn binary(
+/// Rows of data that lies column after column: those before a column take so many bytes a row.
+fn by_columns(
     gather: &mut Gather<'_>,
     body: &[u8],
     rows: usize,
     columns: &Columns,
     layout: &[Column],
-    (data, row_size): (Data, usize),
 ) {
-    let value = |column: usize, row: usize| {
-        let Column { scalar, offset } = *layout.get(column)?;
-        let at = match data {
-            // Column after column: those before it take so many bytes a row.
-            Data::Compressed => offset.checked_mul(rows)?.checked_add(row * scalar.size)?,
-            _ => row.checked_mul(row_size)?.checked_add(offset)?,
-        };
-        scalar.read(body, at)
-    };
     for row in 0..rows {
         if !gather.has_room() {
             return;
         }
-        let axis = |column: usize| value(column, row).unwrap_or(f64::NAN);
-        let label = columns.label.and_then(|column| value(column, row));
-        gather.push(columns.coordinates.map(axis), label);
+        push(gather, columns, |column| {
+            let Column { scalar, offset } = *layout.get(column)?;
+            let at = offset.checked_mul(rows)?.checked_add(row * scalar.size)?;
+            scalar.read(body, at)
+        });
     }
 }
 
@@ -240,4 +263,9 @@ impl Head {
         }
         (!columns.is_empty()).then_some((names, columns, offset))
     }
+}
+
+/// Whether the points of a PCD file, by how it begins, are compressed.
+pub(super) fn is_compressed(bytes: &[u8]) -> bool {
+    matches!(Head::read(bytes), Ok((_, Data::Compressed, _)))
 }

@@ -229,11 +229,9 @@ impl Body<'_, '_> {
                 self.at = piece.at;
                 return Ok(true);
             }
-            if piece.last {
+            if !self.window.advance(&mut self.at)? {
                 return Ok(false);
             }
-            self.window.move_on(self.at)?;
-            self.at = 0;
         }
     }
 }

@@ -621,8 +621,43 @@ fn ply_and_las_read_the_same_by_pieces_of_any_size() {
             panic!("it is no cloud");
         };
         for piece in [1, 2, 7, 31, 64, 500, 5000] {
-            let found = crate::format::read_cloud_by_pieces("PC1", &file, piece);
-            assert_eq!(found, (whole.clone(), findings.clone()), "{piece}");
+            let found = crate::format::read_foreign_cloud_by_pieces("PC1", &file, piece);
+            assert_eq!(found, Some((whole.clone(), findings.clone())), "{piece}");
         }
     }
+}
+
+#[test]
+fn types_of_points_come_along_in_archives_of_networks() {
+    use crate::surface::SurfaceType::{Cylinder, Plane};
+    let types: Vec<u8> = rows()
+        .iter()
+        .map(|(_, label)| if *label == 1 { 4 } else { 1 })
+        .collect();
+    let labels: Vec<u8> = rows()
+        .iter()
+        .flat_map(|(_, label)| label.to_le_bytes())
+        .collect();
+    let cloud_of = |entries: &[(&str, Vec<u8>)]| {
+        let arrays = crate::export::zip_of(entries);
+        cloud(&arrays).0
+    };
+    let xyz = || {
+        (
+            "points.npy",
+            npy("<f8", "(60, 3)", &points(FLOATS[2].1, false)),
+        )
+    };
+    let typed = cloud_of(&[
+        xyz(),
+        ("inst.npy", npy("<i4", "(60,)", &labels)),
+        ("prim.npy", npy("|u1", "(60,)", &types)),
+    ]);
+    let kinds: Vec<_> = typed.segments.unwrap().iter().map(|it| it.kind).collect();
+    assert_eq!(kinds, [Some(Plane), Some(Cylinder)]);
+    let nameless = cloud_of(&[
+        ("arr_0.npy", xyz().1),
+        ("arr_1.npy", npy("<i4", "(60,)", &labels)),
+    ]);
+    assert_eq!(nameless.segments.map(|it| it.len()), Some(2));
 }

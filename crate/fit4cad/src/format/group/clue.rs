@@ -1,9 +1,12 @@
 //! What the path of one file says about it.
 
-use super::Override;
+use super::{Override, Recognised};
 use crate::format::Role;
 use crate::format::files::{self, FILE_KINDS, Holds};
 use crate::format::pieces::PieceName;
+
+/// Name of a method whose files give it none.
+pub(super) const NAMELESS: &str = "submission";
 
 /// What is known of a file from its path, or from what the caller said about it.
 #[derive(Debug, Clone)]
@@ -29,6 +32,8 @@ pub(super) struct Clue<'a> {
     pub(super) is_open: bool,
     /// Where its name says that it holds the points of one primitive: of which model, as far as that is told.
     pub(super) piece: Option<PieceName<'a>>,
+    /// Where nothing but its name says that it holds types: that name without its ending.
+    pub(super) types: Option<&'a str>,
 }
 
 /// What becomes of a path.
@@ -100,6 +105,7 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         });
     };
     let holds = FILE_KINDS.get(kind).map(|kind| kind.holds);
+    let own_stem = stem;
     let piece = PieceName::read(stem)
         .filter(|_| said_role.is_none_or(|role| role == Role::Primitives))
         .filter(|_| holds != Some(Holds::Segments));
@@ -148,6 +154,7 @@ pub(super) fn sort<'a>(path: &'a str, said: Option<&Override>) -> Sorted<'a> {
         kind,
         is_open: said_role.or(role).is_none() && holds == Some(Holds::Either),
         piece,
+        types: Some(own_stem).filter(|_| said_role.is_none() && role == Some(Role::Types)),
     };
     if let Some(said) = said {
         clue.heed(said);
@@ -159,6 +166,17 @@ impl Clue<'_> {
     /// The folders that hold its set, as one path.
     pub(super) fn home(&self) -> String {
         self.base.join("/")
+    }
+
+    /// What it is, as far as it alone tells: the method is that of its name, else its folder.
+    pub(super) fn recognised(&self) -> Recognised {
+        let folder = self.base.last().copied();
+        let method = self.method.as_deref().or(folder);
+        Recognised {
+            role: self.role,
+            model: self.stem.clone(),
+            method: method.unwrap_or(NAMELESS).to_owned(),
+        }
     }
 
     fn heed(&mut self, said: &Override) {
@@ -220,7 +238,10 @@ impl FileName {
         // From the right: the last word that names a role divides the name.
         while let Some(start) = name.get(..end).and_then(|head| head.rfind(['_', '-'])) {
             let word = name.get(start + 1..end).unwrap_or_default();
-            if let Some(role) = role_word(word).filter(|_| start > 0) {
+            // Many a cloud is called `bracket_type_2`.
+            let is_whole = |role: &Role| *role != Role::Types || end == name.len();
+            let role = role_word(word).filter(|_| start > 0);
+            if let Some(role) = role.filter(is_whole) {
                 return Self {
                     stem: name.get(..start).unwrap_or_default().to_owned(),
                     role: Some(role),
@@ -246,6 +267,7 @@ fn role_word(word: &str) -> Option<Role> {
         | "seg" | "segments" | "segmentation" => Some(Role::Primitives),
         "parametric" => Some(Role::Parametric),
         "implicit" => Some(Role::Implicit),
+        "type" | "types" => Some(Role::Types),
         _ => None,
     }
 }
@@ -266,16 +288,15 @@ fn role_folder(name: &str) -> Option<RoleFolder<'_>> {
         });
     }
     const PREFIX: &str = "pointcloud_";
-    let rest = match name.get(..PREFIX.len()) {
-        Some(prefix) if prefix.eq_ignore_ascii_case(PREFIX) => name.get(PREFIX.len()..)?,
-        _ => name,
+    let (rest, is_prefixed) = match name.get(..PREFIX.len()) {
+        Some(prefix) if prefix.eq_ignore_ascii_case(PREFIX) => (name.get(PREFIX.len()..)?, true),
+        _ => (name, false),
     };
     let (word, method) = match rest.split_once('_') {
         Some((word, method)) => (word, Some(method).filter(|method| !method.is_empty())),
         None => (rest, None),
     };
-    Some(RoleFolder {
-        role: role_word(word)?,
-        method,
-    })
+    // A folder `type_2` may hold anything.
+    let role = role_word(word).filter(|role| is_prefixed || *role != Role::Types)?;
+    Some(RoleFolder { role, method })
 }

@@ -13,9 +13,9 @@ mod tests;
 
 use std::collections::BTreeMap;
 
-use clue::Sorted;
 pub(super) use clue::names_truth;
 pub use clue::role_in_name;
+use clue::{Clue, Sorted};
 pub use naming::model_number;
 
 use super::Role;
@@ -77,6 +77,19 @@ pub struct Unplaced {
     pub path: String,
     /// Why it has none, and what would give it one.
     pub reason: String,
+    /// What its name and folder say it is, where they say that it holds segments or surfaces.
+    pub recognised: Option<Recognised>,
+}
+
+/// What a file that has no place was taken for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Recognised {
+    /// What it holds.
+    pub role: Role,
+    /// The name of the cloud it asks for.
+    pub model: String,
+    /// Whose result it would be.
+    pub method: String,
 }
 
 /// Sorts files into models by their paths alone.
@@ -146,6 +159,16 @@ impl Grouping {
         self.unplaced.push(Unplaced {
             path: path.to_owned(),
             reason,
+            recognised: None,
+        });
+    }
+
+    /// Rejects a file of which it is known what it is.
+    fn reject_clue(&mut self, clue: &Clue<'_>, reason: String) {
+        self.unplaced.push(Unplaced {
+            path: clue.path.to_owned(),
+            reason,
+            recognised: Some(clue.recognised()),
         });
     }
 }

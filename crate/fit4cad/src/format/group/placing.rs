@@ -1,10 +1,10 @@
 //! Finding each file its model and its method.
 
 use super::Grouping;
-use super::clue::{Clue, names_truth};
+use super::clue::{Clue, NAMELESS, names_truth};
 use super::named::{Named, Places, joined};
 use super::pieces::{self, Set};
-use super::settling::{place_of, settle};
+use super::settling::{place_of, settle, settle_types};
 use crate::format::Role;
 use crate::sorting::sort_by;
 
@@ -47,12 +47,10 @@ const MAX_NAMESAKES: usize = 256;
 /// Most clouds that are named where it is unclear to which a file belongs.
 const MOST_NAMED: usize = 3;
 
-/// Name of a method whose files give it none.
-const NAMELESS: &str = "submission";
-
 /// Gives each file a place in a model, or a reason why it has none.
 pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Draft<'a>> {
     let mut clues = clues;
+    settle_types(&mut clues);
     let sets = pieces::take(&mut clues, grouping);
     settle(&mut clues);
     let (mut clouds, others): (Vec<_>, Vec<_>) =
@@ -78,7 +76,7 @@ pub(super) fn place<'a>(clues: Vec<Clue<'a>>, grouping: &mut Grouping) -> Vec<Dr
         match shelf.find(&mut clue) {
             Ok(model) if shelf.is_home(model, &clue) => at_home.push((model, clue)),
             Ok(model) => strangers.push((model, clue)),
-            Err(reason) => grouping.reject(clue.path, reason),
+            Err(reason) => grouping.reject_clue(&clue, reason),
         }
     }
     // Truth beside its cloud comes before what may be a copy of it.
@@ -143,13 +141,7 @@ impl<'a> Owner<'a> {
 
 /// The files of one role that are somebody's, as one name.
 fn key(owner: &Owner<'_>, role: Role) -> String {
-    let role = match role {
-        Role::Cloud => "cloud",
-        Role::Primitives => "primitives",
-        Role::Parametric => "parametric",
-        Role::Implicit => "implicit",
-    };
-    joined(&[&owner.key(), role])
+    joined(&[&owner.key(), role.name()])
 }
 
 #[derive(Default)]
@@ -440,12 +432,11 @@ impl<'a> Shelf<'a> {
         let file = draft.files.get(&key).map(|file| file.path);
         if let Some(first) = file.or(pieces.copied()) {
             let stem = &draft.cloud.stem;
-            return grouping.reject(
-                clue.path,
-                format!("{first} already gives the same for {stem}"),
-            );
+            return grouping
+                .reject_clue(clue, format!("{first} already gives the same for {stem}"));
         }
-        draft.has_truth |= owner == Owner::Truth;
+        // Types alone make no segments.
+        draft.has_truth |= owner == Owner::Truth && clue.role != Role::Types;
         let (role, path) = (clue.role, clue.path);
         draft.files.or_insert(&key, Placed { owner, role, path });
     }

@@ -1,7 +1,7 @@
 //! Files that could be clouds or segments: which they are.
 
 use super::clue::Clue;
-use super::named::{Named, joined};
+use super::named::{Named, Places, joined};
 use crate::format::Role;
 
 /// Words behind a model's name that make a file its segments.
@@ -40,6 +40,24 @@ pub(super) fn settle(clues: &mut [Clue<'_>]) {
         }
         if is_of_another {
             clue.role = Role::Primitives;
+        }
+    }
+}
+
+/// Makes clouds of the files that are called as types are, where there is nothing that the types could be of: what is in
+/// them tells the rest.
+pub(super) fn settle_types(clues: &mut [Clue<'_>]) {
+    let mut stems = Places::default();
+    for clue in clues.iter().filter(|clue| clue.role != Role::Types) {
+        stems.give(&clue.stem.to_lowercase());
+    }
+    for clue in clues {
+        if let Some(own) = clue.types
+            && stems.get(&clue.stem.to_lowercase()).is_none()
+        {
+            own.clone_into(&mut clue.stem);
+            clue.role = Role::Cloud;
+            clue.is_open = true;
         }
     }
 }

@@ -52,6 +52,48 @@ fn all_files_of_a_set_in_one_folder_are_truth() {
 }
 
 #[test]
+fn types_go_with_what_they_are_of_and_are_clouds_where_there_is_nothing() {
+    assert_eq!(
+        shown(&[
+            "a/PC1.xyz",
+            "a/PC1_inst.txt",
+            "a/PC1_type.txt",
+            "a/Net/PC1_inst.txt",
+            "a/Net/PC1_types.npy",
+        ]),
+        [
+            "PC1: a/PC1.xyz; a/PC1_inst.txt Primitives truth; a/PC1_type.txt Types truth; \
+          a/Net/PC1_inst.txt Primitives Net; a/Net/PC1_types.npy Types Net"
+        ]
+    );
+    assert_eq!(
+        shown(&["bolt_type.xyz", "bolt_type_2.xyz", "type_3/nut.xyz"]),
+        [
+            "bolt_type: bolt_type.xyz",
+            "bolt_type_2: bolt_type_2.xyz",
+            "nut: type_3/nut.xyz"
+        ]
+    );
+    assert_eq!(
+        shown(&["PC1_inst.txt", "PC1_type.txt"]),
+        [
+            "? PC1_inst.txt: there is no cloud PC1 for it",
+            "? PC1_type.txt: there is no cloud PC1 for it",
+        ]
+    );
+    let types = Override {
+        role: Some(Role::Types),
+        model: Some("PC1".to_owned()),
+        ..Override::default()
+    };
+    let said = BTreeMap::from([("dump_T.txt".to_owned(), types)]);
+    assert_eq!(
+        shown_with(&["PC1.xyz", "PC1_labels.txt", "dump_T.txt"], &said),
+        ["PC1: PC1.xyz; PC1_labels.txt Primitives truth; dump_T.txt Types truth"]
+    );
+}
+
+#[test]
 fn a_folder_per_role_and_method_names_the_method() {
     assert_eq!(
         shown(&[
@@ -123,6 +165,40 @@ fn a_name_with_separators_of_its_own_is_divided_where_a_model_is_left() {
         [
             "a: a.txt",
             "a_b: a_b.txt; a_b_c_d_primitives.txt Primitives c_d"
+        ]
+    );
+}
+
+#[test]
+fn a_file_without_a_cloud_says_what_it_was_taken_for() {
+    let paths = [
+        "a.txt",
+        "a_primitives.txt",
+        "mine/lab_parametric.txt",
+        "PC5-labels-HT.txt",
+        "readme.txt",
+        "pointCloud_primitives/b_primitives.txt",
+    ];
+    let grouping = group(&paths, &BTreeMap::new());
+    let told: Vec<String> = grouping
+        .unplaced
+        .iter()
+        .map(|file| match &file.recognised {
+            Some(Recognised {
+                role,
+                model,
+                method,
+            }) => format!("{}: {role:?} of {model} by {method}", file.path),
+            None => file.path.clone(),
+        })
+        .collect();
+    assert_eq!(
+        told,
+        [
+            "mine/lab_parametric.txt: Parametric of lab by mine",
+            "PC5-labels-HT.txt: Primitives of PC5 by HT",
+            "pointCloud_primitives/b_primitives.txt: Primitives of b by submission",
+            "readme.txt",
         ]
     );
 }

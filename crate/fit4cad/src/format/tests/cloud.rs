@@ -70,6 +70,10 @@ fn rows_are_read_whatever_separates_them() {
         "//X,Y,Z\n1,2,3\n-4.5,0,60\n",
         "\"Points:0\";\"Points:1\";\"Points:2\"\n1;2;3\n-4.5;0;60\n",
         "y,x,z\n2,1,3\n0,-4.5,60\n",
+        "Y [m],X [m],Z [m]\n2,1,3\n0,-4.5,60\n",
+        "Y [m]\tX [m]\tZ [m]\n2\t1\t3\n0\t-4.5\t60\n",
+        "1|2|3\n-4.5|0|60\n",
+        "y | x | z\n2 | 1 | 3\n0 | -4.5 | 60\n",
     ] {
         assert_eq!(cloud(text), (ONE_TWO.to_vec(), NONE.to_vec()), "{text:?}");
         let utf_16: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();

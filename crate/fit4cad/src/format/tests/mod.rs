@@ -6,6 +6,7 @@ mod pieces;
 mod primitives;
 mod segments;
 mod surfaces;
+mod types;
 
 use crate::diagnostics::Diagnostic;
 

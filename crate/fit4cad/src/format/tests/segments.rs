@@ -129,6 +129,10 @@ fn a_labelled_cloud_is_a_result_by_its_rows_or_by_where_its_points_are() {
     let (_, found, findings) = read(&xyz(false), None, Some(&elsewhere));
     assert_eq!(found, []);
     assert_eq!(findings.last().unwrap(), "error 48 points, 48 in the cloud");
-    let (_, _, findings) = read(&xyz(false), None, Some(&format!("x y z w\n{}", xyz(true))));
+    // A name that tells nothing leaves it to the values, another does not.
+    let (_, found, _) = read(&xyz(false), None, Some(&format!("x y z w\n{}", xyz(true))));
+    assert_eq!(found, FACES);
+    let other = format!("x y z intensity\n{}", xyz(true));
+    let (_, _, findings) = read(&xyz(false), None, Some(&other));
     assert_eq!(findings.last().unwrap(), "error 48 points");
 }

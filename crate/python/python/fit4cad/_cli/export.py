@@ -92,5 +92,5 @@ def _files(model: Model, called: str, forms: Sequence[str], problems: list[Diagn
             yield path, text
         else:
             texts = {"cloud": texts_of(model)["cloud"], **texts_of(model, method)}
-            for role in names("roles"):
+            for role in (each for each in names("roles") if each in texts):
                 yield _engine.path_of("test-set", model.name, role, None if role == "cloud" else method), texts[role]

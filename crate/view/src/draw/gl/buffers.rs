@@ -43,6 +43,20 @@ impl Buffer {
         self.fill(gl, data, Gl::STREAM_DRAW);
     }
 
+    /// Makes room for so many values, of which none is known yet.
+    pub fn reserve<T: bytemuck::NoUninit>(&self, gl: &Gl, count: usize) {
+        let bytes = i32::try_from(count * size_of::<T>()).unwrap_or(i32::MAX);
+        gl.bind_buffer(self.target, Some(&self.buffer));
+        gl.buffer_data_with_i32(self.target, bytes, Gl::STATIC_DRAW);
+    }
+
+    /// Writes values from a place on, into the room that was made.
+    pub fn write<T: bytemuck::NoUninit>(&self, gl: &Gl, place: usize, values: &[T]) {
+        let offset = i32::try_from(place * size_of::<T>()).unwrap_or(i32::MAX);
+        gl.bind_buffer(self.target, Some(&self.buffer));
+        gl.buffer_sub_data_with_i32_and_u8_array(self.target, offset, bytemuck::cast_slice(values));
+    }
+
     fn fill<T: bytemuck::NoUninit>(&self, gl: &Gl, data: &[T], usage: u32) {
         gl.bind_buffer(self.target, Some(&self.buffer));
         gl.buffer_data_with_u8_array(self.target, bytemuck::cast_slice(data), usage);

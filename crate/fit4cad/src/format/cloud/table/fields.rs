@@ -12,11 +12,11 @@ pub(super) struct Dialect {
     pub(super) decimal_comma: bool,
 }
 
-/// What stands for blanks: also the brackets that some programs put around a row, and semicolons and
-/// commas where they are no marks.
+/// What stands for blanks: also the brackets that some programs put around a row, the bars between columns, and
+/// semicolons and commas where they are no marks.
 fn is_blank(byte: u8, dialect: Dialect) -> bool {
     match byte {
-        b' ' | 0x0b | 0x0c | b'(' | b')' | b'[' | b']' | b'{' | b'}' => true,
+        b' ' | 0x0b | 0x0c | b'(' | b')' | b'[' | b']' | b'{' | b'}' | b'|' => true,
         b'\t' | b';' => dialect.mark != Some(byte),
         b',' => dialect.mark != Some(byte) && !dialect.decimal_comma,
         _ => false,

@@ -12,7 +12,8 @@ use fields::{Dialect, Fields, is_no_number, is_number_like, number_of};
 use super::CloudFile;
 use super::columns::Columns;
 use super::kinds::{
-    BAD_LABEL, BROKEN_ROW, COLUMNS, JUNK, MISCOUNTED, NO_POINTS, OTHER_FILE, TOO_FAR, TOO_MANY,
+    BAD_LABEL, BROKEN_ROW, COLUMNS, JUNK, MISCOUNTED, NO_POINTS, ONE_A_ROW, OTHER_FILE, TOO_FAR,
+    TOO_MANY,
 };
 use crate::cloud::{Cloud, LARGEST, Numbering, Point};
 use crate::diagnostics::Diagnostic;
@@ -20,6 +21,7 @@ use crate::format::findings::{Findings, Kept};
 use crate::format::labels::is_label_value;
 use crate::format::labels::{NO_LABEL, by_label};
 use crate::format::limits::MAX_POINTS;
+use crate::format::one_a_row::is_one_a_row;
 use crate::format::scan::{self, is_line_end, is_remark, is_whitespace};
 use crate::format::window::Window;
 
@@ -41,6 +43,11 @@ pub(in crate::format) fn read(
     from: usize,
     labelled: bool,
 ) -> Result<(CloudFile, Vec<Diagnostic>), String> {
+    if window.look_at(window.from(), is_one_a_row)? == Some(true) {
+        let mut findings = Findings::new(file, &[]);
+        findings.add_whole(&ONE_A_ROW, String::new());
+        return Ok((CloudFile::default(), findings.finish()));
+    }
     let mut start = Start::default();
     let first = start.read(window, from)?;
     let begin = window.from() + first as u64;
@@ -122,27 +129,33 @@ impl Start {
         false
     }
 
-    /// The names of so many columns, if there are any.
-    fn named(&self, count: usize, dialect: Dialect) -> Option<Columns> {
+    /// The names of so many columns, if there are any, and what they tell.
+    fn named(&self, count: usize, dialect: Dialect) -> Option<(Vec<String>, Columns)> {
         let (line, remark) = self.names.as_ref()?;
+        // Between marks there may be blanks and brackets in a name: `X [m]`.
+        let tab = Some(b'\t').filter(|tab| line.contains(tab));
+        let marked = dialect.mark.or(tab).map(|mark| -> Vec<String> {
+            let names = line.split(|&byte| byte == mark).map(<[u8]>::trim_ascii);
+            names.map(text_of).collect()
+        });
+        let strict = || Fields::of(line, dialect).map(text_of).collect::<Vec<_>>();
         let loose = || {
             let words = line.split(|&byte| is_whitespace(byte) || matches!(byte, b',' | b';'));
             words.filter(|word| !word.is_empty()).map(text_of).collect()
         };
-        let strict: Vec<String> = Fields::of(line, dialect).map(text_of).collect();
-        let names: Vec<String> = if strict.len() == count {
-            strict
-        } else {
-            loose()
-        };
-        let columns = Columns::named(&names).filter(|_| names.len() == count)?;
+        let fits = |names: &Vec<String>| names.len() == count;
+        let names = marked
+            .filter(fits)
+            .or_else(|| Some(strict()).filter(fits))
+            .or_else(|| Some(loose()).filter(fits))?;
+        let columns = Columns::named(&names)?;
         // A remark may be about anything.
         let tells = ["x", "y", "z"].iter().all(|axis| {
             names
                 .iter()
                 .any(|name| super::columns::meaning_of(name) == super::columns::meaning_of(axis))
         });
-        (tells || !remark).then_some(columns)
+        (tells || !remark).then_some((names, columns))
     }
 }
 
@@ -262,20 +275,25 @@ fn columns_of(start: &Start, samples: &[&[u8]], dialect: Dialect, labelled: bool
         .collect();
     counts.sort_unstable();
     let usual = counts.get(counts.len() / 2).copied().unwrap_or(3);
-    start.named(usual, dialect).unwrap_or_else(|| {
-        let rows: Vec<Vec<f64>> = samples
-            .iter()
-            .map(|line| {
-                let fields = Fields::of(line, dialect);
-                let numbers = fields.map(|field| number_of(field, dialect).unwrap_or(f64::NAN));
-                numbers.collect()
-            })
-            .filter(|row: &Vec<f64>| {
-                row.len() >= usual && row.iter().take(3).all(|value| value.is_finite())
-            })
-            .collect();
-        Columns::guessed(&rows, labelled)
-    })
+    let rows = |used: [usize; 3]| -> Vec<Vec<f64>> {
+        let rows = samples.iter().map(|line| {
+            let fields = Fields::of(line, dialect);
+            let numbers = fields.map(|field| number_of(field, dialect).unwrap_or(f64::NAN));
+            numbers.collect()
+        });
+        let is_usable = |row: &Vec<f64>| {
+            let finite = |&at: &usize| row.get(at).is_some_and(|value| value.is_finite());
+            row.len() >= usual && used.iter().all(finite)
+        };
+        rows.filter(is_usable).collect()
+    };
+    let Some((names, mut columns)) = start.named(usual, dialect) else {
+        return Columns::guessed(&rows([0, 1, 2]), labelled);
+    };
+    if columns.label.is_none() {
+        columns.look_for_labels(&names, &rows(columns.coordinates));
+    }
+    columns
 }
 
 /// The rows that were read so far.
