@@ -21,13 +21,13 @@ pub const SCENE: Target = Target {
     run: |input| {
         let mut bytes = Bytes::new(input);
         let mut scene = Scene::default();
-        scene.set_cloud(&bytes.list(120, Bytes::single));
-        scene.set_normals(&bytes.list(120, Bytes::single));
+        scene.set_cloud(bytes.list(120, Bytes::single));
+        scene.set_normals(bytes.list(120, Bytes::single));
         scene.layout = layout(&mut bytes);
         for side in Side::BOTH {
-            scene.set_labels(side, &bytes.list(60, Bytes::whole));
-            scene.set_scalars(side, &bytes.list(60, Bytes::single));
             let colouring = scene.colouring_mut(side);
+            colouring.set_labels(bytes.list(60, Bytes::whole));
+            colouring.set_scalars(bytes.list(60, Bytes::single));
             colouring.set_colours(&bytes.list(60, Bytes::byte));
             colouring.set_states(&bytes.list(20, Bytes::byte));
             colouring.set_map(&bytes.list(20, Bytes::byte));
@@ -37,6 +37,10 @@ pub const SCENE: Target = Target {
                     high: bytes.single(),
                 };
             }
+        }
+        // In slices, as frames do, and not always to the end.
+        for _ in 0..bytes.list(4, Bytes::byte).len() {
+            scene.proceed(1 + usize::from(bytes.byte()));
         }
         scene.display.point_size = match bytes.flag() {
             true => PointSize::Spacing(bytes.single().clamp(0.1, 20.0)),
