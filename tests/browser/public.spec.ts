@@ -188,6 +188,7 @@ test("a copy of the repository on the page's own host takes its place, a foreign
   await expect(rows(page)).toHaveCount(1);
   await download(page, "5");
   await expect(row(page, "PC5")).toHaveCount(2);
+  await expect.poll(() => page.evaluate(keptFiles), { message: "files that the browser keeps" }).toBe(testSet(files).length);
   await page.goto("./?source=https://example.org/copy");
   // The work of the visit before.
   await expect(row(page, "PC5")).toHaveCount(2);
@@ -283,4 +284,18 @@ function testSet(files: readonly Fixture[]): Fixture[] {
 function forgive(complaints: string[], what: RegExp): void {
   const others = complaints.filter((text) => !what.test(text));
   complaints.splice(0, complaints.length, ...others);
+}
+
+/** How many files the browser keeps for the next visit. In the page. */
+function keptFiles(): Promise<number> {
+  return new Promise((resolve) => {
+    const opening = indexedDB.open("fit4cad");
+    opening.onsuccess = () => {
+      const asking = opening.result.transaction("files").objectStore("files").count();
+      asking.onsuccess = () => {
+        opening.result.close();
+        resolve(asking.result);
+      };
+    };
+  });
 }
