@@ -2,6 +2,7 @@
 
 use super::number;
 use super::scan::{is_line_end, is_remark, is_whitespace};
+use crate::surface::SurfaceType;
 
 /// The values and their offsets, without quotes. Linear in the length of the text.
 pub(super) struct Values<'a> {
@@ -70,7 +71,7 @@ pub(super) fn is_one_a_row(bytes: &[u8], all: bool) -> Option<bool> {
     let rows = lines.map(Values::of).map(Iterator::collect::<Vec<_>>);
     let mut rows = rows.filter(|row| !row.is_empty());
     let is_value = |row: &Vec<(usize, &[u8])>| match row[..] {
-        [(_, word)] => number_of(word).is_some() || super::types::is_name(word),
+        [(_, word)] => number_of(word).is_some() || SurfaceType::from_name(word).is_some(),
         _ => false,
     };
     let Some(first) = rows.next() else {

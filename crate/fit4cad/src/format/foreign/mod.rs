@@ -21,6 +21,7 @@ mod streaming;
 #[cfg(test)]
 mod tests;
 
+pub use super::purpose::Purpose;
 pub(super) use gzip::{Packed, Unpacking};
 pub use gzip::{is_gzip, unpack_gzip};
 pub use lzf::unpack as unpack_lzf;
@@ -44,16 +45,6 @@ pub enum Content {
     Labels(Vec<i32>, BTreeMap<u32, SurfaceType>),
     /// Text of one of the kinds that are read anyway, unpacked.
     Text(Vec<u8>),
-}
-
-/// What a file is read for: where it holds the segments of a truth and those of a result, the one or
-/// the other is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
-    /// The cloud, or the truth.
-    Truth,
-    /// A method's result.
-    Submission,
 }
 
 /// Reads a file of another program, whatever it is packed in; `None` where it is none. Linear in its length, but for the

@@ -1,7 +1,7 @@
 //! How types are numbered, and what arrays of them are called. No two networks agree.
 
 use super::Told;
-use crate::format::foreign::Purpose;
+use crate::format::purpose::Purpose;
 use crate::surface::SurfaceType::{Cone, Cylinder, Plane, Sphere};
 
 /// How types are numbered.
@@ -56,7 +56,7 @@ impl Coding {
     }
 
     /// What its numbers mean.
-    pub(super) const fn words(self) -> &'static str {
+    pub(in crate::format) const fn words(self) -> &'static str {
         match self {
             Self::ParseNet => {
                 "1 plane, 3 cone, 4 cylinder, 5 sphere, as ParseNet and HPNet number them"

@@ -1,10 +1,8 @@
 //! Types of points, as networks tell them: each segment is of the type that most of its points have.
 
 mod coding;
-mod sidecar;
 
 pub use coding::{Coding, Named, named};
-pub(super) use sidecar::{is_name, read_types};
 
 use std::collections::BTreeMap;
 

@@ -1,12 +1,12 @@
 //! A file with the type of each row of a cloud: a number, as a network numbers them, or a name.
 
-use super::{Coding, Told};
 use crate::cloud::{Cloud, Numbering, PointNumber};
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::format::encoding;
 use crate::format::findings::{Findings, Kind};
 use crate::format::foreign::{Content, Purpose, read_foreign};
 use crate::format::one_a_row::{Values, number_of};
+use crate::format::types::{Coding, Told};
 use crate::surface::SurfaceType;
 
 const TYPE_COUNT: Kind = Kind {
@@ -52,14 +52,9 @@ const NO_TYPES: Kind = Kind {
     hint: "If it is a cloud of its own, set its role",
 };
 
-/// Whether a word names a type.
-pub(in crate::format) fn is_name(word: &[u8]) -> bool {
-    SurfaceType::from_name(word).is_some()
-}
-
 /// Reads the type of each point of a cloud; nothing where the file cannot be used, and the findings say why. Linear in
 /// the length of the file.
-pub(in crate::format) fn read_types(
+pub(super) fn read_types(
     file: &str,
     bytes: &[u8],
     cloud: &Cloud,
