@@ -109,6 +109,12 @@ pub fn apply(segmentation: &mut Segmentation, refitted: &[Refitted]) {
     }
 }
 
+/// The points that a fit begins with: all, or so many of them evenly.
+fn first(points: &[Point]) -> Vec<Point> {
+    let stride = points.len().div_ceil(FIRST).max(1);
+    points.iter().step_by(stride).copied().collect()
+}
+
 /// The surface as its points have it; `None` where it is to stay as it is.
 fn fitted(
     search: &Search<'_>,
@@ -118,13 +124,12 @@ fn fitted(
 ) -> Result<Option<Surface>, Cancelled> {
     let noise = search.scale.noise;
     let loss = Loss::Biweight(BIWEIGHT * noise);
-    let stride = points.len().div_ceil(FIRST).max(1);
-    let some: Vec<Point> = points.iter().step_by(stride).copied().collect();
-    let Some(first) = least_squares::fit(&surface, &some, loss) else {
+    let some = first(points);
+    let Some(of_some) = least_squares::fit(&surface, &some, loss) else {
         return Ok(None);
     };
-    let mut best = first.surface;
-    for _ in 0..if stride > 1 { STEPS } else { 0 } {
+    let mut best = of_some.surface;
+    for _ in 0..if some.len() < points.len() { STEPS } else { 0 } {
         observer.progress(Stage::Patches, 1.0)?;
         let Some(next) = least_squares::step(&best, points, loss) else {
             return Ok(None);
@@ -140,9 +145,8 @@ fn fitted(
 /// The surface nearest to the points of those of its family that share a direction or an axis with one known, unless the surface
 /// itself is better by more than chance.
 fn sharing(known: &Known, noise: f64, surface: Surface, points: &[Point]) -> Surface {
-    let stride = points.len().div_ceil(FIRST).max(1);
-    let some: Vec<Point> = points.iter().step_by(stride).copied().collect();
-    let held = known.held(Some(surface.kind()), &some, noise);
+    let some = first(points);
+    let held = known.held(|kind| kind == surface.kind(), &some, noise);
     let nearest = held
         .map(|it| (it.surface, squares(&it.surface, &some, noise)))
         .filter(|(it, _)| it.is_in_range())

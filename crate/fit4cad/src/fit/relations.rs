@@ -9,7 +9,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::axes::{self, axis_of, direction_of, half_plane};
-use super::least_squares::BIWEIGHT;
+use super::least_squares::{BIWEIGHT, Loss};
 use crate::cloud::normals::Spread;
 use crate::cloud::{Direction, Point, Vector};
 use crate::surface::{Cylinder, Plane, Surface, SurfaceType, Torus, across};
@@ -61,15 +61,14 @@ impl Known {
         }
     }
 
-    /// Every surface that shares something, of a family or of any, fitted to points off it by Gaussian noise of the given
+    /// Every surface that shares something and is of a family that is asked for, fitted to points off it by Gaussian noise of the given
     /// standard deviation. O(points).
     pub fn held<'a>(
         &'a self,
-        kind: Option<SurfaceType>,
+        is_asked: impl Fn(SurfaceType) -> bool + Copy + 'a,
         points: &'a [Point],
         noise: f64,
     ) -> impl Iterator<Item = Held> + 'a {
-        let is_asked = move |it: SurfaceType| kind.is_none_or(|kind| kind == it);
         let along = self.directions.iter().flat_map(move |direction| {
             let plane = is_asked(SurfaceType::Plane).then(|| plane(points, direction, noise));
             let cylinder =
@@ -108,10 +107,9 @@ impl Known {
     }
 }
 
-/// Tukey's biweight of a point so many standard deviations off.
+/// The weight of a point so many standard deviations off.
 fn weight(deviations: f64) -> f64 {
-    let inside = 1.0 - (deviations / BIWEIGHT).powi(2);
-    if inside > 0.0 { inside * inside } else { 0.0 }
+    Loss::Biweight(BIWEIGHT).weight(deviations)
 }
 
 /// The value that most of some agree on within the noise, from their median on.

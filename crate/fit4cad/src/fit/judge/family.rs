@@ -140,13 +140,12 @@ impl Measures {
     /// and tori take the place of others but planes and cylinders only.
     pub fn shared(&self, known: &Known, sample: &Sample, given: &Surface) -> Option<Surface> {
         let is_common = |kind| matches!(kind, SurfaceType::Plane | SurfaceType::Cylinder);
+        let may_be = |kind| is_common(kind) || !is_common(given.kind());
         let mut best = None;
         let mut least = self.cost(given, sample);
-        for held in known.held(None, &sample.points, self.deviation.noise) {
-            let kind = held.surface.kind();
+        for held in known.held(may_be, &sample.points, self.deviation.noise) {
             let cost = self.errors(&held.surface, sample) + of_shared(held, sample.count);
-            let may_be = is_common(kind) || !is_common(given.kind());
-            if cost < least && may_be && self.is_plausible(&held.surface) {
+            if cost < least && self.is_plausible(&held.surface) {
                 least = cost;
                 best = Some(held.surface);
             }

@@ -31,7 +31,8 @@ pub enum Loss {
 }
 
 impl Loss {
-    fn weight(self, distance: f64) -> f64 {
+    /// How much a point at that distance counts, from 0 to 1.
+    pub fn weight(self, distance: f64) -> f64 {
         match self {
             Self::Squares => 1.0,
             Self::Biweight(cut_off) => {

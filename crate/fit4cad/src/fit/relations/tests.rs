@@ -47,7 +47,9 @@ fn what_shares_an_axis_is_found_among_points_of_others() {
     ];
     for (truth, parameters) in truths {
         let points = noisy(&truth, &near);
-        let held: Vec<Held> = known.held(Some(truth.kind()), &points, NOISE).collect();
+        let held: Vec<Held> = known
+            .held(|kind| kind == truth.kind(), &points, NOISE)
+            .collect();
         let found = held.iter().find(|it| it.parameters == parameters).unwrap();
         let farthest = points
             .iter()
@@ -69,7 +71,9 @@ fn what_shares_a_direction_is_a_plane_across_it_or_a_cylinder_along_it() {
         (Surface::Cylinder(Cylinder::new(origin, axis, 3.0)), 3),
     ] {
         let points = noisy(&truth, &near);
-        let held: Vec<Held> = known.held(Some(truth.kind()), &points, NOISE).collect();
+        let held: Vec<Held> = known
+            .held(|kind| kind == truth.kind(), &points, NOISE)
+            .collect();
         assert_eq!(held.len(), 1);
         assert_eq!(held[0].parameters, parameters);
         let off = points
