@@ -53,6 +53,15 @@ impl Numbering {
         self.broken.is_empty()
     }
 
+    /// Of what the file's rows have, one each, what its points have. O(r log b) for r rows and b broken ones.
+    pub fn of_points<T>(&self, rows: impl Iterator<Item = T>) -> impl Iterator<Item = T> {
+        let is_point =
+            |number: u64| self.is_plain() || matches!(self.resolve(number), PointNumber::Index(_));
+        (1u64..)
+            .zip(rows)
+            .filter_map(move |(number, of_row)| is_point(number).then_some(of_row))
+    }
+
     /// The number of the point at an index. O(log b) for b broken rows.
     pub fn number(&self, index: u32) -> u64 {
         // The k-th broken row, counted from 0, comes after as many points as its row less k, which

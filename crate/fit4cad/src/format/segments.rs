@@ -182,9 +182,7 @@ fn on_rows(
     if numbering.is_plain() {
         return Some(by_label(labels));
     }
-    let kept = (1u64..).zip(labels).filter_map(|(number, &label)| {
-        matches!(numbering.resolve(number), PointNumber::Index(_)).then_some(label)
-    });
+    let kept = numbering.of_points(labels.iter().copied());
     Some(by_label(&kept.collect::<Vec<i32>>()))
 }
 

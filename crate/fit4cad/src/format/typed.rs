@@ -1,6 +1,6 @@
 //! A file with the type of each row of a cloud: a number, as a network numbers them, or a name.
 
-use crate::cloud::{Cloud, Numbering, PointNumber};
+use crate::cloud::{Cloud, Numbering};
 use crate::diagnostics::{Diagnostic, Severity, Subject};
 use crate::format::encoding;
 use crate::format::findings::{Findings, Kind};
@@ -177,10 +177,7 @@ impl Rows {
             Row::Named(kind) => Some(kind),
             Row::Other | Row::Broken => None,
         };
-        let rows = (1u64..).zip(rows);
-        let of_points = rows.filter(|(number, _)| {
-            numbering.is_plain() || matches!(numbering.resolve(*number), PointNumber::Index(_))
-        });
-        Some(of_points.map(|(_, row)| told(row)).collect())
+        let of_points = numbering.of_points(rows.into_iter());
+        Some(of_points.map(told).collect())
     }
 }
