@@ -5,6 +5,7 @@ import type { Locator, Page, Route } from "@playwright/test";
 import { expect, measuresIn, open, picture, row, rows, test } from "./support/test";
 import { drop, writeAll, zipOf } from "./support/drop";
 import { filesOf, METHOD, scoreOf, type Fixture } from "./support/engine";
+import { keptFiles } from "./support/kept";
 import { claims, linkOf, openLink } from "./support/sharing";
 
 /** As raw GitHub answers: to anyone. */
@@ -188,7 +189,7 @@ test("a copy of the repository on the page's own host takes its place, a foreign
   await expect(rows(page)).toHaveCount(1);
   await download(page, "5");
   await expect(row(page, "PC5")).toHaveCount(2);
-  await expect.poll(() => page.evaluate(keptFiles), { message: "files that the browser keeps" }).toBe(testSet(files).length);
+  await expect.poll(async () => (await keptFiles(page)).length, { message: "files that the browser keeps" }).toBe(testSet(files).length);
   await page.goto("./?source=https://example.org/copy");
   // The work of the visit before.
   await expect(row(page, "PC5")).toHaveCount(2);
@@ -284,18 +285,4 @@ function testSet(files: readonly Fixture[]): Fixture[] {
 function forgive(complaints: string[], what: RegExp): void {
   const others = complaints.filter((text) => !what.test(text));
   complaints.splice(0, complaints.length, ...others);
-}
-
-/** How many files the browser keeps for the next visit. In the page. */
-function keptFiles(): Promise<number> {
-  return new Promise((resolve) => {
-    const opening = indexedDB.open("fit4cad");
-    opening.onsuccess = () => {
-      const asking = opening.result.transaction("files").objectStore("files").count();
-      asking.onsuccess = () => {
-        opening.result.close();
-        resolve(asking.result);
-      };
-    };
-  });
 }

@@ -2,6 +2,7 @@ import { readFile } from "node:fs/promises";
 import { gzipSync } from "node:zlib";
 import AxeBuilder from "@axe-core/playwright";
 import { stepPlate } from "../../scripts/lib/samples.mjs";
+import { keptFiles } from "./support/kept";
 import { expect, open, picture, row, test } from "./support/test";
 
 test("a STEP file becomes a model that is seen, fitted and scored, packed or not", async ({ page }) => {
@@ -110,7 +111,7 @@ test("the faces of a STEP file are told one by one, and it is imported again in 
   await expect(panel).not.toContainText("will be removed");
 
   // Kept with the model: there again at the next visit.
-  await expect.poll(() => page.evaluate(keptPoints)).toBe(600);
+  await expect.poll(async () => (await keptFiles(page)).find(({ path }) => path === "plates.step/plates.txt")?.points).toBe(600);
   await page.reload();
   await page.getByRole("tab", { name: "From CAD" }).click();
   await expect(panel.getByLabel("Points")).toHaveValue("600");
@@ -119,17 +120,3 @@ test("the faces of a STEP file are told one by one, and it is imported again in 
   await panel.getByRole("button", { name: "Import again" }).click();
   await expect(page.locator(".notice")).toContainText("of 3 bodies, ");
 });
-
-/** How many points the part that the browser keeps was asked for. In the page. */
-function keptPoints(): Promise<number | undefined> {
-  return new Promise((resolve) => {
-    const opening = indexedDB.open("fit4cad");
-    opening.onsuccess = () => {
-      const asking = opening.result.transaction("files").objectStore("files").get("plates.step/plates.txt");
-      asking.onsuccess = () => {
-        opening.result.close();
-        resolve((asking.result as { step?: { options: { points?: number } } } | undefined)?.step?.options.points);
-      };
-    };
-  });
-}
