@@ -2,13 +2,11 @@
 
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
-import { FITTERS } from "../../generated/declared/fitters.js";
 import type { NoiseInfo, PrimitiveInfo } from "../engine/contract";
 import { errorsOf, follow, isLoose } from "../primitives/sure";
 import { colourMode } from "../stage/display";
 import { setHidden } from "../stage/isolation";
 import { type FitRun } from "../state/fitting";
-import { fitOf } from "../state/made";
 import { modelById } from "../state/models";
 import { goToPanel } from "../state/panels";
 import { scene } from "../state/scene";
@@ -57,8 +55,8 @@ export function Answer({ run }: { run: FitRun }): JSX.Element | null {
             "No point: each is in a primitive."
           ) : (
             <>
-              {format.plural(left, "point")} ({format.share(left / points)}): on no surface that was found, or in patches of fewer
-              than {format.integer(smallestOf(model, method))}.{" "}
+              {format.plural(left, "point")} ({format.share(left / points)}): on no surface that was found, or in patches too small to
+              be told from chance.{" "}
               <button type="button" class="link" title="All others are hidden until Escape" onClick={() => showLeftOut(primitives)}>
                 Show only these
               </button>
@@ -140,15 +138,6 @@ function leftOut({ indices }: SegmentationScene, points: number): number {
   for (const one of listed) left -= one;
   return left;
 }
-
-/** The fewest points of a primitive that the fit was to report. */
-function smallestOf(model: string | undefined, method: string): number {
-  const request = fitOf(model ?? "", method);
-  const fitter = FITTERS.find(({ name }) => name === request?.method);
-  return request?.parameters[SMALLEST] ?? fitter?.parameters.find(({ name }) => name === SMALLEST)?.default ?? 0;
-}
-
-const SMALLEST = "smallest";
 
 function showLeftOut(primitives: readonly PrimitiveInfo[]): void {
   setHidden(
